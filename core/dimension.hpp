@@ -1,0 +1,136 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <type_traits>
+
+#include "core/trigonometry.hpp"
+
+namespace lod {
+
+/// Everything that separates the plane from space. No other file may test Dim.
+/// SI units, radians, double precision.
+template <int Dim>
+struct Space {
+    static_assert(Dim == 2 || Dim == 3);
+    static constexpr int spin_size = Dim == 2 ? 1 : 3;
+
+    using Vector = Eigen::Matrix<double, Dim, 1>;
+    using Matrix = Eigen::Matrix<double, Dim, Dim>;
+    using Spin = Eigen::Matrix<double, spin_size, 1>;  ///< angular velocity [rad/s], torque, ...
+    using Inertia = Eigen::Matrix<double, spin_size, spin_size>;  ///< [kg m^2]
+    /// Body frame to world frame: an angle [rad] in the plane, a unit quaternion in space.
+    using Orientation = std::conditional_t<Dim == 2, double, Eigen::Quaterniond>;
+
+    /// Velocity that spin gives to a point at arm r from the centre of mass: w x r.
+    static Vector cross(const Spin& spin, const Vector& r) {
+        if constexpr (Dim == 2)
+            return spin[0] * Vector(-r.y(), r.x());
+        else
+            return spin.cross(r);
+    }
+
+    /// Moment of a force or impulse f at arm r: r x f.
+    static Spin moment(const Vector& r, const Vector& f) {
+        if constexpr (Dim == 2)
+            return Spin::Constant(r.x() * f.y() - r.y() * f.x());
+        else
+            return r.cross(f);
+    }
+
+    static Orientation unturned() {
+        if constexpr (Dim == 2)
+            return 0.0;
+        else
+            return Eigen::Quaterniond::Identity();
+    }
+
+    /// The matrix that takes a vector from the body frame to the world frame.
+    static Matrix rotation(const Orientation& orientation) {
+        if constexpr (Dim == 2) {
+            const SineCosine of = sine_cosine(orientation);
+            return (Matrix() << of.cosine, -of.sine, of.sine, of.cosine).finished();
+        } else {
+            return orientation.toRotationMatrix();
+        }
+    }
+
+    /// An orientation after turning by the vector `turn` [rad], given in the world frame.
+    static Orientation turned(const Orientation& orientation, const Spin& turn) {
+        if constexpr (Dim == 2) {
+            return wrapped_angle(orientation + turn[0]);
+        } else {
+            const double angle = turn.norm();
+            if (angle == 0) return orientation;
+            const SineCosine half = sine_cosine(angle / 2);
+            Eigen::Quaterniond by;
+            by.w() = half.cosine;
+            by.vec() = (half.sine / angle) * turn;
+            return (by * orientation).normalized();
+        }
+    }
+
+    /// An inertia, or its inverse, carried from the body frame to the world frame: R I R^T.
+    static Inertia carried(const Matrix& rotation, const Inertia& inertia) {
+        if constexpr (Dim == 2)
+            return inertia;
+        else
+            return rotation * inertia * rotation.transpose();
+    }
+
+    /// The rotation of free motion over h seconds: the turn in the world frame [rad] and the spin
+    /// after it. See integrate.hpp for the method in space.
+    struct FreeTurn {
+        Spin turn;
+        Spin spin;
+    };
+    static FreeTurn free_turn(const Matrix& rotation, const Inertia& inertia,
+                              const Inertia& inverse_inertia, const Spin& spin, double h) {
+        if constexpr (Dim == 2) {
+            return {h * spin, spin};
+        } else {
+            constexpr int most_rounds = 60;
+            const Spin momentum = inertia * (rotation.transpose() * spin);  // body frame
+            Spin next = momentum;
+            Spin middle = inverse_inertia * momentum;
+            for (int round = 0; round < most_rounds; ++round) {
+                // Q(h * middle) applied to the momentum: it stays put in the world frame.
+                const Spin moved = rotated(-h * middle, momentum);
+                const bool settled = (moved - next).cwiseAbs().maxCoeff() <=
+                                     1e-16 * momentum.cwiseAbs().maxCoeff();
+                next = moved;
+                middle = inverse_inertia * (0.5 * (momentum + next));
+                if (settled) break;
+            }
+            const Spin turn = h * (rotation * middle);
+            const Spin spin_after =
+                rotated(turn, Spin(rotation * (inverse_inertia * next)));
+            return {turn, spin_after};
+        }
+    }
+
+  private:
+    /// v turned by the rotation vector `turn` (Rodrigues).
+    static Vector rotated(const Spin& turn, const Vector& v)
+        requires(Dim == 3)
+    {
+        const double angle = turn.norm();
+        if (angle == 0) return v;
+        const SineCosine of = sine_cosine(angle);
+        const Vector axis = turn / angle;
+        return of.cosine * v + of.sine * axis.cross(v) + (1 - of.cosine) * axis.dot(v) * axis;
+    }
+};
+
+template <int Dim>
+using Vector = typename Space<Dim>::Vector;
+template <int Dim>
+using Matrix = typename Space<Dim>::Matrix;
+template <int Dim>
+using Spin = typename Space<Dim>::Spin;
+template <int Dim>
+using Inertia = typename Space<Dim>::Inertia;
+template <int Dim>
+using Orientation = typename Space<Dim>::Orientation;
+
+}  // namespace lod

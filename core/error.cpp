@@ -1,0 +1,11 @@
+#include "core/error.hpp"
+
+namespace lod {
+
+std::atomic<int> stop_signal{0};
+
+void check_interrupted() {
+    if (const int signal = stop_signal.load(std::memory_order_relaxed)) throw Interrupted(signal);
+}
+
+}  // namespace lod

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <atomic>
+#include <stdexcept>
+#include <string>
+
+namespace lod {
+
+/// Why something could not be done; the program's exit code.
+enum class ErrorKind {
+    usage = 2,
+    input_refused = 3,
+    output_failed = 4,
+    limit_exceeded = 5,
+    not_installed = 6,
+};
+
+/// The one exception of lodlab. what() is one line: what, where, why, and the mend.
+class Error : public std::runtime_error {
+  public:
+    Error(ErrorKind kind, const std::string& line) : std::runtime_error(line), kind_(kind) {}
+    [[nodiscard]] ErrorKind kind() const { return kind_; }
+
+  private:
+    ErrorKind kind_;
+};
+
+/// Thrown by check_interrupted() when a signal asked the program to stop.
+class Interrupted : public std::runtime_error {
+  public:
+    explicit Interrupted(int signal) : std::runtime_error("interrupted"), signal_(signal) {}
+    [[nodiscard]] int signal() const { return signal_; }
+
+  private:
+    int signal_;
+};
+
+/// Set by a signal handler (async-signal-safe); 0 while nothing asked to stop.
+extern std::atomic<int> stop_signal;
+
+/// Throws Interrupted when stop_signal is set. Long loops call it once a round.
+void check_interrupted();
+
+}  // namespace lod

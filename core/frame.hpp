@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/budget.hpp"
+#include "core/response.hpp"
+#include "core/schedule.hpp"
+
+namespace lod {
+
+struct FrameSettings {
+    double time_step = 1.0 / 120;  ///< [s], > 0
+    int deepest_level = 1000;      ///< refinement stops after this level
+    PointModel point_model = PointModel::radius_ratio;
+    Response response = Response::net;
+    Priority priority = Priority::closing_speed;
+};
+
+/// What a frame found of one candidate pair; the lists it points into are the record's.
+struct PairRecord {
+    CandidatePair bodies;
+    int level = 0;  ///< last finished level
+    Verdict verdict = Verdict::possible;
+    std::uint64_t tests = 0;
+    std::int32_t first_contact = 0;  ///< into node_pairs, impacts and impulses
+    std::int32_t contact_count = 0;
+};
+
+/// Every stage's result of one frame. Pictures, lessons, traces and metrics read it and never hook
+/// into the solver.
+template <int Dim>
+struct FrameRecord {
+    std::vector<PairRecord> pairs;      ///< every candidate pair of the broad phase
+    std::vector<NodePair> node_pairs;   ///< the overlapping nodes behind each contact
+    std::vector<Impact<Dim>> impacts;   ///< same order; `pair` indexes `pairs`
+    std::vector<double> impulses;       ///< same order [N s]
+    std::uint64_t tests = 0;            ///< node tests of the frame
+    bool interrupted = false;           ///< the budget ended before the finest level
+    double energy_before = 0;           ///< kinetic, before the response [J]
+    double energy_after = 0;            ///< kinetic, after it [J]
+};
+
+/// Storage that frames reuse: a warm frame allocates nothing.
+template <int Dim>
+struct FrameStorage {
+    std::vector<PosedTree<Dim>> world_S;
+    BroadPhase<Dim> broad_phase;
+    std::vector<CandidatePair> candidates;
+    std::vector<std::int32_t> order;
+    std::vector<Front> fronts;
+    ScheduleScratch scratch;
+    Resolver<Dim> resolver;
+    FrameRecord<Dim> record;
+};
+
+/// Detection and contact modelling at the present instant; no body changes.
+template <int Dim>
+const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSettings& settings,
+                               Budget& budget, FrameStorage<Dim>& storage);
+
+/// One frame: detect, respond, integrate. The record is valid until the next call.
+/// Requires: every body passed check_body.
+template <int Dim>
+const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings& settings,
+                                Budget& budget, FrameStorage<Dim>& storage);
+
+}  // namespace lod

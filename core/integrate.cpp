@@ -1,0 +1,21 @@
+#include "core/integrate.hpp"
+
+namespace lod {
+
+template <int Dim>
+void integrate(std::span<Body<Dim>> bodies, double h) {
+    for (Body<Dim>& body : bodies) {
+        if (body.is_static()) continue;
+        body.position += h * body.velocity;
+        const auto [turn, spin] =
+            Space<Dim>::free_turn(Space<Dim>::rotation(body.orientation), body.inertia,
+                                  body.inverse_inertia, body.spin, h);
+        body.orientation = Space<Dim>::turned(body.orientation, turn);
+        body.spin = spin;
+    }
+}
+
+template void integrate(std::span<Body<2>>, double);
+template void integrate(std::span<Body<3>>, double);
+
+}  // namespace lod

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string_view>
+
+namespace lod {
+
+/// A file that is complete or absent: bytes go to a temporary name in the same folder, and commit()
+/// flushes them to the disk and renames. Without commit() nothing is left behind.
+/// Every failure (unwritable folder, full disk) throws Error (output failed) naming the final file.
+class OutputFile {
+  public:
+    explicit OutputFile(std::filesystem::path final_path);
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
+
+    void write(const void* bytes, std::size_t count);
+    void write(std::string_view text) { write(text.data(), text.size()); }
+    /// Moves the write position, for formats that go back to fill in their header.
+    void seek(std::size_t position);
+    [[nodiscard]] std::size_t size() const { return size_; }
+    void commit();
+
+    /// Where the bytes are until commit(), for libraries that must write to a path themselves.
+    [[nodiscard]] const std::filesystem::path& temporary_path() const { return temporary_; }
+
+  private:
+    [[noreturn]] void fail(int error_number) const;
+
+    std::filesystem::path final_;
+    std::filesystem::path temporary_;
+    int descriptor_ = -1;
+    std::size_t position_ = 0;
+    std::size_t size_ = 0;
+};
+
+/// The whole text under a final name, or nothing.
+void write_text_file(const std::filesystem::path& path, std::string_view text);
+
+/// The whole of a file. Throws Error: input refused when it is missing, unreadable or no regular
+/// file; limit exceeded when it is larger than most_bytes.
+[[nodiscard]] std::string read_text_file(const std::filesystem::path& path, std::size_t most_bytes);
+
+}  // namespace lod

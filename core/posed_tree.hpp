@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/body.hpp"
+
+namespace lod {
+
+/// A body's tree carried to the world frame (the paper's world_S). Only the nodes that a test
+/// touches are carried, once a pose, a whole family of children at a time.
+template <int Dim>
+class PosedTree {
+  public:
+    /// Takes over a pose; forgets every node carried for the pose before. Allocates only when the
+    /// tree is larger than any before it.
+    void pose(const Body<Dim>& body);
+
+    /// Carries the children of `parent`, unless that is done already. The root needs no call.
+    void carry_children(int parent);
+
+    /// Requires: the node was carried (the root is at once).
+    [[nodiscard]] Sphere<Dim> sphere(int node) const;
+
+    [[nodiscard]] const SphereTree<Dim>& tree() const { return *tree_; }
+    /// Bound of the rounding of a carried centre [m]; a test adds it to its reach, so that rounding
+    /// never calls touching bodies apart.
+    [[nodiscard]] double rounding() const { return rounding_; }
+    [[nodiscard]] const double* centres(int axis) const {
+        return centre_[static_cast<std::size_t>(axis)].data();
+    }
+    [[nodiscard]] int carried_nodes() const { return carried_nodes_; }
+
+  private:
+    void carry(int first, int count);
+
+    const SphereTree<Dim>* tree_ = nullptr;
+    Matrix<Dim> rotation_ = Matrix<Dim>::Identity();
+    Vector<Dim> position_ = Vector<Dim>::Zero();
+    double rounding_ = 0;
+    std::array<std::vector<double>, Dim> centre_;
+    std::vector<std::uint64_t> carried_for_;  ///< of a parent: the pose its children stand in
+    std::uint64_t pose_number_ = 0;
+    int carried_nodes_ = 0;
+};
+
+extern template class PosedTree<2>;
+extern template class PosedTree<3>;
+
+}  // namespace lod

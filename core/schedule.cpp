@@ -1,0 +1,77 @@
+#include "core/schedule.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lod {
+namespace {
+
+std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+
+/// Approach of the centres of mass [m/s]; negative when they part.
+template <int Dim>
+double closing_speed(const Body<Dim>& a, const Body<Dim>& b) {
+    const Vector<Dim> line = b.position - a.position;
+    const double length = line.norm();
+    return length > 0 ? line.dot(a.velocity - b.velocity) / length : 0;
+}
+
+}  // namespace
+
+template <int Dim>
+void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
+                std::span<const CandidatePair> pairs, std::vector<std::int32_t>& order) {
+    order.resize(pairs.size());
+    std::iota(order.begin(), order.end(), 0);
+    if (priority == Priority::in_order) return;
+    std::sort(order.begin(), order.end(), [&](std::int32_t x, std::int32_t y) {
+        const auto speed = [&](std::int32_t i) {
+            return closing_speed(bodies[at(pairs[at(i)].a)], bodies[at(pairs[at(i)].b)]);
+        };
+        const double speed_x = speed(x);
+        const double speed_y = speed(y);
+        return speed_x != speed_y ? speed_x > speed_y : x < y;
+    });
+}
+
+template <int Dim>
+bool refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
+                int deepest_level, std::span<PosedTree<Dim>> world_S, Budget& budget,
+                std::vector<Front>& fronts, ScheduleScratch& scratch) {
+    if (fronts.size() < pairs.size()) fronts.resize(pairs.size());
+    std::uint64_t contacts = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        test_roots(world_S[at(pairs[i].a)], world_S[at(pairs[i].b)], fronts[i]);
+        budget.spend(1);
+        contacts += fronts[i].pairs.size();
+    }
+    for (int level = 1; level <= deepest_level; ++level) {
+        bool unfinished = false;
+        for (std::int32_t i : order) {
+            Front& front = fronts[at(i)];
+            if (front.finest) continue;
+            contacts -= front.pairs.size();
+            budget.reserve_contacts(contacts + front.pairs.size());
+            const Refinement refined = refine(world_S[at(pairs[at(i)].a)],
+                                              world_S[at(pairs[at(i)].b)], budget, front,
+                                              scratch.level);
+            if (refined == Refinement::interrupted) return true;
+            contacts += front.pairs.size();
+            unfinished |= !front.finest;
+        }
+        if (!unfinished) break;
+    }
+    return false;
+}
+
+#define LOD_INSTANTIATE(Dim)                                                                     \
+    template void prioritise(Priority, std::span<const Body<Dim>>, std::span<const CandidatePair>, \
+                             std::vector<std::int32_t>&);                                        \
+    template bool refine_all(std::span<const CandidatePair>, std::span<const std::int32_t>, int, \
+                             std::span<PosedTree<Dim>>, Budget&, std::vector<Front>&,            \
+                             ScheduleScratch&);
+LOD_INSTANTIATE(2)
+LOD_INSTANTIATE(3)
+#undef LOD_INSTANTIATE
+
+}  // namespace lod
