@@ -8,25 +8,35 @@
 namespace lod2d {
 
 using Point = lod::Vector<2>;
-using Ring = std::vector<Point>;  ///< closed: the last point joins the first; no point twice in a row
+using Ring =
+    std::vector<Point>;  ///< closed: the last point joins the first; no point twice in a row
 
-/// A region of the plane: outer rings anticlockwise, holes clockwise. Rings are simple, do not cross
-/// each other (they may touch in single points), and bound a region of positive area. Metres.
+/// A region of the plane: outer rings anticlockwise, holes clockwise. Rings are simple, do not
+/// cross each other (they may touch in single points), and bound a region of positive area. Metres.
 struct Polygon {
     std::vector<Ring> rings;
 };
 
+using Box = Eigen::AlignedBox<double, 2>;
+
+[[nodiscard]] double polygon_area(const Polygon& polygon);  ///< by Green's theorem [m^2]
+/// Polar second moment of area about the origin, by Green's theorem [m^4].
+[[nodiscard]] double polar_moment(const Polygon& polygon);
+[[nodiscard]] Box bounds(const Polygon& polygon);  ///< empty for an empty polygon
+
 /// A rigid shape in its body frame: the origin is the centre of mass.
 struct Shape {
-    std::string name;       ///< what the reader calls it: "gear:9", "text:R", a file's stem
-    Polygon polygon;        ///< body frame [m]
-    double area = 0;        ///< exact [m^2], > 0
+    std::string name;         ///< what the reader calls it: "gear:9", "text:R", a file's stem
+    Polygon polygon;          ///< body frame [m]
+    double area = 0;          ///< exact [m^2], > 0
     Point centroid = {0, 0};  ///< centre of mass in the frame of the source [m]
-    double second_moment = 0;  ///< polar, about the centre of mass [m^4]; times the density: inertia
+    double second_moment =
+        0;  ///< polar, about the centre of mass [m^4]; times the density: inertia
 };
 
 /// Centres a polygon on its centre of mass and takes its exact integrals.
-/// Throws lod::Error (input refused) where the polygon is empty, not finite or has no area.
+/// Throws lod::Error (input refused) where the polygon is empty, not finite or has no area (less
+/// than 1e-12 of the square about it). Does not repair rings: for raw outlines see clean.hpp.
 [[nodiscard]] Shape make_shape(std::string name, const Polygon& polygon);
 
 }  // namespace lod2d
