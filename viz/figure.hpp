@@ -1,0 +1,188 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace viz {
+
+/// A point of a panel: metres in a scene (x to the right, y up), units of the axes in a plot.
+struct Point {
+    double x = 0;
+    double y = 0;
+    friend bool operator==(const Point&, const Point&) = default;
+};
+
+using Ring = std::vector<Point>;  ///< closed: the last point joins the first
+
+/// What a mark stands for. A palette turns a role into ink, line and fill (LOOK: "ink by role").
+enum class Role {
+    body,            ///< outline of a body, faintly filled, in the body's ink
+    wall,            ///< a body that no impulse moves
+    ghost,           ///< outline of a body at an earlier time, in the body's ink
+    node,            ///< a node that does not go on
+    meeting_node,    ///< a node that intersects one of the other body: bold, in its body's ink
+    true_collision,  ///< a leaf that intersects a leaf: doubled, so that grey print shows it
+    contact,         ///< contact point
+    normal,          ///< contact normal
+    impulse,
+    velocity,      ///< in the body's ink
+    trajectory,    ///< in the body's ink, fading into the past
+    reference,     ///< exact or Box2D: dashed, thinner
+    curve,         ///< a curve of a plot, in the ink of series `body`
+    band,          ///< what a curve spreads over, in the ink of series `body`
+    construction,  ///< lines that only help to see: centre lines, radii, lids
+    note,          ///< words
+};
+
+/// The role's name in JSON: "meeting_node".
+[[nodiscard]] const char* role_name(Role role);
+
+/// Belongs to every mark.
+struct Style {
+    Role role = Role::note;
+    int body = 0;        ///< whose ink: 0 is A, 1 is B, more follow; series number in a plot
+    int level = -1;      ///< of the tree, for readers of the data; -1 where it has none
+    double opacity = 1;  ///< 0 to 1: age of a ghost, a mark that is just appearing
+};
+
+/// A disc of true size. radius >= 0.
+struct Disc {
+    Style style;
+    Point centre;
+    double radius = 0;
+};
+
+/// A dot of constant size on the page.
+struct Dot {
+    Style style;
+    Point at;
+};
+
+/// A region bounded by rings, holes by the even-odd rule.
+struct Path {
+    Style style;
+    std::vector<Ring> rings;
+};
+
+/// An open line. `start_opacity` < 1 lets it fade in from its first point: the past of a
+/// trajectory. `end_label` names it at its last point.
+struct Polyline {
+    Style style;
+    std::vector<Point> points;
+    double start_opacity = 1;
+    std::string end_label;
+};
+
+/// An arrow; `label` stands beside its tip (the value of an impulse).
+struct Arrow {
+    Style style;
+    Point tail;
+    Point tip;
+    std::string label;
+};
+
+/// Words beside what they name, in its ink: placed by the canvas round the anchor, at least
+/// `clearance` away (the radius of a disc, in the panel's units), and never over the anchor's mark
+/// or another label.
+struct Label {
+    Style style;
+    Point anchor;
+    std::string text;
+    double clearance = 0;
+};
+
+using Mark = std::variant<Disc, Dot, Path, Polyline, Arrow, Label>;
+
+/// A box of the panel's coordinates.
+struct Box {
+    Point low;
+    Point high;
+};
+
+enum class Scale { linear, logarithmic };
+
+struct Axis {
+    std::string label;  ///< with the unit: "time [s]"
+    Scale scale = Scale::linear;
+    std::vector<double> ticks;   ///< chosen by the canvas when empty
+    bool whole_numbers = false;  ///< ticks at whole numbers only (levels, counts)
+};
+
+struct Axes {
+    Axis x;
+    Axis y;
+};
+
+/// Where a panel stands in the figure's grid, counted from the top left.
+struct Cell {
+    int row = 0;
+    int column = 0;
+    int rows = 1;
+    int columns = 1;
+};
+
+/// One picture of a figure. A scene keeps its shape (one metre is as long across as up) and shows
+/// at least `view`; a plot (with axes) stretches `view` over its cell. Marks are drawn in order,
+/// words last.
+struct Panel {
+    std::string title;
+    Box view;
+    std::optional<Axes> axes;
+    std::vector<Mark> marks;
+    std::optional<Cell> cell;  ///< the next free cell when not set
+};
+
+/// A number that matters, shown top right: "tests", "48".
+struct Quantity {
+    std::string name;
+    std::string value;
+};
+
+/// A picture that answers one question, as data. Texts may hold `*v*` for italics (symbols of the
+/// equations) and `_a` or `_{ab}` for subscripts; a backslash before a character
+/// shows the character itself.
+struct Figure {
+    std::string title;              ///< a sentence
+    std::vector<Quantity> numbers;  ///< top right
+    std::string caption;            ///< one line at the foot
+    std::string alt;                ///< the same picture in words, made from the record
+    std::vector<Panel> panels;
+    int columns = 0;                         ///< of the grid; 0: chosen by the number of panels
+    std::vector<double> column_weights;      ///< relative widths; equal when empty
+    std::vector<double> row_weights;         ///< relative heights; equal when empty
+    std::vector<std::string> row_titles;     ///< left of each row of the grid, or empty
+    std::vector<std::string> column_titles;  ///< above each column of the grid, or empty
+    bool shared_scale = true;                ///< all scene panels show a metre equally long
+    bool scale_bar = true;                   ///< a bar with its length, where there is a scene
+    double aspect = 16.0 / 9;                ///< width over height of the page, 0.2 to 5
+};
+
+/// A figure held for a number of frames.
+struct Shot {
+    std::function<Figure()> draw;  ///< called once, when its turn comes
+    int frames = 1;                ///< >= 1
+};
+
+/// A video, as data.
+struct Animation {
+    double frames_per_second = 30;
+    std::string title;  ///< kept in the file where the format has a place for it
+    std::vector<Shot> shots;
+};
+
+/// The number of frames of the whole animation.
+[[nodiscard]] int frame_count(const Animation& animation);
+
+/// Adds one figure, held for so many seconds (at least one frame).
+void hold(Animation& animation, Figure figure, double seconds);
+
+/// The text without the marks of italics and subscripts.
+[[nodiscard]] std::string plain_text(const std::string& text);
+
+/// A name from outside (a file, a scene) as a text that shows it letter by letter.
+[[nodiscard]] std::string literal_text(const std::string& name);
+
+}  // namespace viz

@@ -1,0 +1,111 @@
+// The one file of viz that includes nlohmann-json.
+//
+// A figure as JSON:
+//   {"lodlab": "figure", "version": 1, "title", "caption", "alt", "numbers": [{"name", "value"}],
+//    "columns", "panels": [{"title", "view": [low_x, low_y, high_x, high_y],
+//    "axes": {"x": {"label", "scale"}, "y": ...} or absent,
+//    "marks": [{"mark": "disc|dot|path|polyline|arrow|label", "role", "body", "level", "opacity",
+//               ... what the mark holds: "centre" and "radius"; "at"; "rings"; "points",
+//               "end_label"; "tail", "tip", "label"; "anchor", "text"}]}]}
+// Points are [x, y]; lengths are metres in scenes and units of the axes in plots.
+
+#include <nlohmann/json.hpp>
+
+#include "core/output_file.hpp"
+#include "viz/write.hpp"
+
+namespace viz {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json data(Point p) {
+    return ordered_json::array({p.x, p.y});
+}
+
+ordered_json data(const std::vector<Point>& points) {
+    ordered_json list = ordered_json::array();
+    for (const Point& p : points) list.push_back(data(p));
+    return list;
+}
+
+void put(ordered_json& mark, const Disc& disc) {
+    mark["mark"] = "disc";
+    mark["centre"] = data(disc.centre);
+    mark["radius"] = disc.radius;
+}
+void put(ordered_json& mark, const Dot& dot) {
+    mark["mark"] = "dot";
+    mark["at"] = data(dot.at);
+}
+void put(ordered_json& mark, const Path& path) {
+    mark["mark"] = "path";
+    mark["rings"] = ordered_json::array();
+    for (const Ring& ring : path.rings) mark["rings"].push_back(data(ring));
+}
+void put(ordered_json& mark, const Polyline& line) {
+    mark["mark"] = "polyline";
+    mark["points"] = data(line.points);
+    if (!line.end_label.empty()) mark["end_label"] = plain_text(line.end_label);
+}
+void put(ordered_json& mark, const Arrow& arrow) {
+    mark["mark"] = "arrow";
+    mark["tail"] = data(arrow.tail);
+    mark["tip"] = data(arrow.tip);
+    if (!arrow.label.empty()) mark["label"] = plain_text(arrow.label);
+}
+void put(ordered_json& mark, const Label& label) {
+    mark["mark"] = "label";
+    mark["anchor"] = data(label.anchor);
+    mark["text"] = plain_text(label.text);
+}
+
+ordered_json data(const Mark& mark) {
+    ordered_json json;
+    std::visit([&](const auto& held) { put(json, held); }, mark);
+    const Style& style =
+        std::visit([](const auto& held) -> const Style& { return held.style; }, mark);
+    json["role"] = role_name(style.role);
+    json["body"] = style.body;
+    if (style.level >= 0) json["level"] = style.level;
+    if (style.opacity != 1) json["opacity"] = style.opacity;
+    return json;
+}
+
+ordered_json data(const Axis& axis) {
+    return {{"label", plain_text(axis.label)},
+            {"scale", axis.scale == Scale::linear ? "linear" : "logarithmic"}};
+}
+
+ordered_json data(const Panel& panel) {
+    ordered_json json;
+    json["title"] = plain_text(panel.title);
+    json["view"] = {panel.view.low.x, panel.view.low.y, panel.view.high.x, panel.view.high.y};
+    if (panel.axes) json["axes"] = {{"x", data(panel.axes->x)}, {"y", data(panel.axes->y)}};
+    json["marks"] = ordered_json::array();
+    for (const Mark& mark : panel.marks) json["marks"].push_back(data(mark));
+    return json;
+}
+
+}  // namespace
+
+void write_json(const std::filesystem::path& path, const Figure& figure) {
+    check_figure(figure);
+    ordered_json json;
+    json["lodlab"] = "figure";
+    json["version"] = 1;
+    json["title"] = plain_text(figure.title);
+    json["caption"] = plain_text(figure.caption);
+    json["alt"] = figure.alt;
+    json["numbers"] = ordered_json::array();
+    for (const Quantity& number : figure.numbers)
+        json["numbers"].push_back(
+            {{"name", plain_text(number.name)}, {"value", plain_text(number.value)}});
+    json["columns"] = figure.columns;
+    json["panels"] = ordered_json::array();
+    for (const Panel& panel : figure.panels) json["panels"].push_back(data(panel));
+    lod::write_text_file(path,
+                         json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace viz
