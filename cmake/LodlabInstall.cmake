@@ -1,0 +1,47 @@
+# What an installed lodlab is: headers, static libraries, the program, its scenes, and how others find
+# them, by find_package(lodlab COMPONENTS ...) or by pkg-config (one lodlab-NAME.pc a library).
+include(CMakePackageConfigHelpers)
+
+set(lodlab_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lodlab)
+
+# lodlab_install(NAME DESCRIPTION text [REQUIRES modules] [REQUIRES_PRIVATE modules] [LIBS_PRIVATE flags])
+# installs one library. REQUIRES names the pkg-config modules that its headers include,
+# REQUIRES_PRIVATE those that only its code calls, LIBS_PRIVATE what has no module. What
+# find_package needs for the same stands in lodlab-config.cmake.in.
+function(lodlab_install name)
+  if(NOT TARGET ${name})
+    return()
+  endif()
+  cmake_parse_arguments(arg "" "DESCRIPTION" "REQUIRES;REQUIRES_PRIVATE;LIBS_PRIVATE" ${ARGN})
+  install(TARGETS ${name} EXPORT lodlab-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(EXPORT lodlab-${name} NAMESPACE lodlab:: FILE lodlab-${name}-targets.cmake
+          DESTINATION ${lodlab_package_folder})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab
+          FILES_MATCHING PATTERN "*.hpp")
+
+  set(NAME ${name})
+  set(DESCRIPTION "${arg_DESCRIPTION}")
+  list(JOIN arg_REQUIRES " " REQUIRES)
+  list(JOIN arg_REQUIRES_PRIVATE " " REQUIRES_PRIVATE)
+  list(JOIN arg_LIBS_PRIVATE " " LIBS_PRIVATE)
+  file(RELATIVE_PATH UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/lodlab.pc.in lodlab-${name}.pc @ONLY)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lodlab-${name}.pc
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  set_property(GLOBAL APPEND PROPERTY LODLAB_COMPONENTS ${name})
+endfunction()
+
+# Call once, after the libraries.
+function(lodlab_install_package)
+  set_target_properties(lodlab_settings PROPERTIES EXPORT_NAME settings)
+  install(TARGETS lodlab_settings EXPORT lodlab-core)
+  get_property(LODLAB_COMPONENTS GLOBAL PROPERTY LODLAB_COMPONENTS)
+  configure_package_config_file(
+    ${PROJECT_SOURCE_DIR}/cmake/lodlab-config.cmake.in lodlab-config.cmake
+    INSTALL_DESTINATION ${lodlab_package_folder}
+    NO_SET_AND_CHECK_MACRO)
+  write_basic_package_version_file(lodlab-config-version.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lodlab-config.cmake
+                ${CMAKE_CURRENT_BINARY_DIR}/lodlab-config-version.cmake
+          DESTINATION ${lodlab_package_folder})
+endfunction()
