@@ -1,0 +1,68 @@
+"""Plants a breach of each rule in a small house and expects it to be found, alone."""
+
+import pathlib
+import tempfile
+import unittest
+
+from rules import breaches_in
+
+HOUSE = {
+    "core/dimension.hpp": "#pragma once\ntemplate <int Dim> constexpr bool plane = Dim == 2;\n",
+    "core/body.hpp": '#include "core/dimension.hpp"\n// Dim == 2 in a comment\n',
+    "lod2d/shape.hpp": '#include "core/body.hpp"\n',
+    "lod2d/box2d_reference.cpp": "#include <box2d/box2d.h>\n",
+    "viz/figure.hpp": "#include <string>\n",
+    "viz/figure.cpp": '#include "viz/figure.hpp"\n',
+    "viz/tree.cpp": '#include "lod2d/shape.hpp"\n#include "viz/figure.hpp"\n',
+    "cli/main.cpp": '#include <CLI/CLI.hpp>\n#include "viz/figure.hpp"\n',
+    "tests/video.cpp": "#include <libavformat/avformat.h>\n",
+    "core/long.cpp": "void f() {\n" + "    g();\n" * 58 + "}\nstruct S {\n" + "int i;\n" * 300 + "};\n",
+}
+
+BREACHES = {
+    "a lower folder includes a higher one": ("core/a.cpp", '#include "viz/figure.hpp"\n'),
+    "the plane includes space": ("lod2d/a.cpp", '#include "lod3d/mesh.hpp"\n'),
+    "pictures include scenes": ("viz/a.cpp", '#include "scenes/scene.hpp"\n'),
+    "a library includes the tests": ("scenes/a.cpp", '#include "tests/catch.hpp"\n'),
+    "an include without its folder": ("viz/a.cpp", '#include "figure.hpp"\n'),
+    "figure includes something of ours": ("viz/figure.hpp", '#include "core/body.hpp"\n'),
+    "Dim is compared": ("core/a.hpp", "template <int Dim> int f() { return Dim == 2 ? 1 : 3; }\n"),
+    "Dim is compared from the left": ("core/a.hpp", "static_assert(2 != Dim);\n"),
+    "a specialisation for one dimension": ("core/a.cpp", "template <> void f<2>(int) {}\n"),
+    "a second file for Box2D": ("cli/a.cpp", "#include <box2d/b2_body.h>\n"),
+    "Cairo in a header": ("viz/a.hpp", "#include <cairo/cairo.h>\n"),
+    "JSON in a header": ("lod2d/a.hpp", "#include <nlohmann/json.hpp>\n"),
+    "a long file": ("core/a.cpp", "int i;\n" * 401),
+    "a long function": ("core/a.cpp", "int f() {\n" + "    g();\n" * 59 + "}\n"),
+    "a long method": ("core/a.cpp", "class A {\n  public:\n    int f(int a,\n   int b) const {\n" + "    g();\n" * 59 + "}\n};\n"),
+    "a circle": ("core/body.hpp", '#include "core/circle.hpp"\n'),
+}
+
+
+class Rules(unittest.TestCase):
+    def breaches(self, planted):
+        with tempfile.TemporaryDirectory() as folder:
+            files = HOUSE | {"core/circle.hpp": '#include "core/body.hpp"\n'} | planted
+            for name, text in files.items():
+                path = pathlib.Path(folder, name)
+                path.parent.mkdir(exist_ok=True)
+                path.write_text(text, encoding="utf-8")
+            return breaches_in(folder)
+
+    def test_a_house_in_order_has_no_breach(self):
+        self.assertEqual(self.breaches({}), [])
+
+    def test_each_planted_breach_is_found(self):
+        for what, (name, text) in BREACHES.items():
+            with self.subTest(what):
+                found = self.breaches({name: text})
+                self.assertTrue(found)
+                self.assertTrue(any(breach.startswith(name) for breach in found), found)
+
+    def test_an_empty_folder_is_a_breach(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertTrue(breaches_in(folder))
+
+
+if __name__ == "__main__":
+    unittest.main()
