@@ -1,6 +1,5 @@
 #include "lod2d/generators.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -252,170 +251,83 @@ Polygon make_blob(Values v) {
     return blob;
 }
 
-const std::vector<Generator>& table() {
-    constexpr bool whole = true;
-    static const std::vector<Generator> all{
-        {"box",
-         "a rectangle",
-         {{"WIDTH", "m", 1, 1e-3, 1e3}, {"HEIGHT", "m", 1, 1e-3, 1e3}},
-         make_box},
-        {"rod",
-         "a long thin rectangle",
-         {{"LENGTH", "m", 1, 1e-3, 1e3}, {"WIDTH", "m", 0.08, 1e-3, 1e3}},
-         make_box},
-        {"triangle",
-         "a triangle with two equal sides (three, by default)",
-         {{"BASE", "m", 1, 1e-3, 1e3}, {"HEIGHT", "m", 0.8660254037844386, 1e-3, 1e3}},
-         make_triangle},
-        {"polygon",
-         "a regular polygon, 1 m across its outer circle",
-         {{"SIDES", "number of sides", 6, 3, 1000, whole}},
-         make_polygon},
-        {"disc",
-         "a disc of 1 m across, as a regular polygon",
-         {{"SIDES", "number of sides", sides_of_circle, 8, 10000, whole}},
-         make_disc},
-        {"ellipse",
-         "an ellipse",
-         {{"WIDTH", "m", 1, 1e-3, 1e3}, {"HEIGHT", "m", 0.6, 1e-3, 1e3}},
-         make_ellipse},
-        {"ring",
-         "a disc of 1 m across with a round hole",
-         {{"INNER", "diameter of the hole [m]", 0.6, 0.01, 0.99}},
-         make_ring},
-        {"capsule",
-         "a rod with round ends",
-         {{"LENGTH", "m", 1, 0.02, 1e3}, {"WIDTH", "m, less than the length", 0.4, 0.01, 1e3}},
-         make_capsule},
-        {"L",
-         "an angle of two arms of 1 m",
-         {{"THICKNESS", "of an arm [m]", 0.35, 0.01, 0.99}},
-         make_l},
-        {"T", "a T of 1 m by 1 m", {{"THICKNESS", "of a bar [m]", 0.3, 0.01, 0.99}}, make_t},
-        {"U", "a U of 1 m by 1 m", {{"THICKNESS", "of a wall [m]", 0.25, 0.01, 0.49}}, make_u},
-        {"cross",
-         "a plus sign of 1 m by 1 m",
-         {{"THICKNESS", "of a bar [m]", 0.32, 0.01, 0.99}},
-         make_cross},
-        {"star",
-         "a star, 1 m across its outer circle",
-         {{"POINTS", "number of points", 5, 3, 1000, whole},
-          {"INNER", "inner radius / outer radius", 0.45, 0.05, 0.95}},
-         make_star},
-        {"gear",
-         "a toothed wheel, 1 m across its tips",
-         {{"TEETH", "number of teeth", 9, 3, 1000, whole},
-          {"DEPTH", "of the teeth, of the diameter [m]", 0.26, 0.01, 0.6},
-          {"BORE", "diameter of the hole [m], 0 for none", 0.2, 0, 0.35}},
-         make_gear},
-        {"arrow",
-         "an arrow of 1 m",
-         {{"THICKNESS", "of the shaft [m]", 0.2, 0.01, 0.5},
-          {"HEAD", "length of the head [m]", 0.4, 0.05, 0.95}},
-         make_arrow},
-        {"crescent",
-         "a moon, 1 m across its outer circle",
-         {{"BITE", "angle of the inner arc at a tip, in half turns", 0.55, 0.34, 0.8}},
-         make_crescent},
-        {"comb", "a comb, 1 m wide", {{"TEETH", "number of teeth", 6, 2, 500, whole}}, make_comb},
-        {"spiral",
-         "a spiral band, about 1 m across",
-         {{"TURNS", "number of turns", 2.5, 0.5, 50}},
-         make_spiral},
-        {"blob",
-         "a smooth random outline, longer side 1 m",
-         {{"SEED", "which one", 1, 0, 9007199254740992.0, whole}},
-         make_blob},
-    };
-    return all;
-}
+constexpr bool whole = true;
 
-std::string list_of_names() {
-    std::string list;
-    for (const Generator& generator : table())
-        list += (list.empty() ? "" : ", ") + std::string(generator.name);
-    return list;
-}
-
-const Generator* find(std::string_view spec) {
-    const std::string_view name = spec.substr(0, spec.find(':'));
-    for (const Generator& generator : table())
-        if (generator.name == name) return &generator;
-    return nullptr;
-}
-
-std::string short_number(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return std::string(text, end);
-}
-
-double parse_value(std::string_view text, std::string_view spec, const Generator& generator,
-                   const GeneratorParameter& parameter) {
-    const auto about = [&] {
-        return "cannot make '" + std::string(spec) + "': " + std::string(parameter.name) + " is '" +
-               std::string(text) + "'; ";
-    };
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, failure] = std::from_chars(text.data(), end, value);
-    if (failure != std::errc{} || stop != end)
-        throw lod::Error(lod::ErrorKind::usage,
-                         about() + "write numbers, as in " + usage(generator));
-    const bool in_range = value >= parameter.least && value <= parameter.most;
-    if (!in_range || (parameter.whole && value != std::floor(value)))
-        throw lod::Error(lod::ErrorKind::input_refused,
-                         about() + "give a " + (parameter.whole ? "whole " : "") + "number from " +
-                             short_number(parameter.least) + " to " + short_number(parameter.most) +
-                             " (" + std::string(parameter.meaning) + ")");
-    return value;
-}
-
-std::vector<double> parse_values(std::string_view spec, const Generator& generator) {
-    std::vector<double> values;
-    for (const GeneratorParameter& parameter : generator.parameters)
-        values.push_back(parameter.standard);
-    if (spec.find(':') == std::string_view::npos) return values;
-    std::string_view rest = spec.substr(spec.find(':') + 1);
-    for (std::size_t i = 0;; ++i) {
-        if (i == values.size())
-            throw lod::Error(lod::ErrorKind::usage, "cannot make '" + std::string(spec) +
-                                                        "': too many numbers; write " +
-                                                        usage(generator));
-        const std::size_t comma = rest.find(',');
-        values[i] = parse_value(rest.substr(0, comma), spec, generator, generator.parameters[i]);
-        if (comma == std::string_view::npos) return values;
-        rest.remove_prefix(comma + 1);
-    }
-}
+const std::vector<Generator> all{
+    {"box", "a rectangle", {{"WIDTH", "m", 1, 1e-3, 1e3}, {"HEIGHT", "m", 1, 1e-3, 1e3}}, make_box},
+    {"rod",
+     "a long thin rectangle",
+     {{"LENGTH", "m", 1, 1e-3, 1e3}, {"WIDTH", "m", 0.08, 1e-3, 1e3}},
+     make_box},
+    {"triangle",
+     "a triangle with two equal sides (three, by default)",
+     {{"BASE", "m", 1, 1e-3, 1e3}, {"HEIGHT", "m", 0.8660254037844386, 1e-3, 1e3}},
+     make_triangle},
+    {"polygon",
+     "a regular polygon, 1 m across its outer circle",
+     {{"SIDES", "number of sides", 6, 3, 1000, whole}},
+     make_polygon},
+    {"disc",
+     "a disc of 1 m across, as a regular polygon",
+     {{"SIDES", "number of sides", sides_of_circle, 8, 10000, whole}},
+     make_disc},
+    {"ellipse",
+     "an ellipse",
+     {{"WIDTH", "m", 1, 1e-3, 1e3}, {"HEIGHT", "m", 0.6, 1e-3, 1e3}},
+     make_ellipse},
+    {"ring",
+     "a disc of 1 m across with a round hole",
+     {{"INNER", "diameter of the hole [m]", 0.6, 0.01, 0.99}},
+     make_ring},
+    {"capsule",
+     "a rod with round ends",
+     {{"LENGTH", "m", 1, 0.02, 1e3}, {"WIDTH", "m, less than the length", 0.4, 0.01, 1e3}},
+     make_capsule},
+    {"L",
+     "an angle of two arms of 1 m",
+     {{"THICKNESS", "of an arm [m]", 0.35, 0.01, 0.99}},
+     make_l},
+    {"T", "a T of 1 m by 1 m", {{"THICKNESS", "of a bar [m]", 0.3, 0.01, 0.99}}, make_t},
+    {"U", "a U of 1 m by 1 m", {{"THICKNESS", "of a wall [m]", 0.25, 0.01, 0.49}}, make_u},
+    {"cross",
+     "a plus sign of 1 m by 1 m",
+     {{"THICKNESS", "of a bar [m]", 0.32, 0.01, 0.99}},
+     make_cross},
+    {"star",
+     "a star, 1 m across its outer circle",
+     {{"POINTS", "number of points", 5, 3, 1000, whole},
+      {"INNER", "inner radius / outer radius", 0.45, 0.05, 0.95}},
+     make_star},
+    {"gear",
+     "a toothed wheel, 1 m across its tips",
+     {{"TEETH", "number of teeth", 9, 3, 1000, whole},
+      {"DEPTH", "of the teeth, of the diameter [m]", 0.26, 0.01, 0.6},
+      {"BORE", "diameter of the hole [m], 0 for none", 0.2, 0, 0.35}},
+     make_gear},
+    {"arrow",
+     "an arrow of 1 m",
+     {{"THICKNESS", "of the shaft [m]", 0.2, 0.01, 0.5},
+      {"HEAD", "length of the head [m]", 0.4, 0.05, 0.95}},
+     make_arrow},
+    {"crescent",
+     "a moon, 1 m across its outer circle",
+     {{"BITE", "angle of the inner arc at a tip, in half turns", 0.55, 0.34, 0.8}},
+     make_crescent},
+    {"comb", "a comb, 1 m wide", {{"TEETH", "number of teeth", 6, 2, 500, whole}}, make_comb},
+    {"spiral",
+     "a spiral band, about 1 m across",
+     {{"TURNS", "number of turns", 2.5, 0.5, 50}},
+     make_spiral},
+    {"blob",
+     "a smooth random outline, longer side 1 m",
+     {{"SEED", "which one", 1, 0, 9007199254740992.0, whole}},
+     make_blob},
+};
 
 }  // namespace
 
 std::span<const Generator> generators() {
-    return table();
-}
-
-std::string usage(const Generator& generator) {
-    std::string text(generator.name);
-    char before = ':';
-    for (const GeneratorParameter& parameter : generator.parameters) {
-        text += before + std::string(parameter.name);
-        before = ',';
-    }
-    return text;
-}
-
-bool names_generator(std::string_view spec) {
-    return find(spec) != nullptr;
-}
-
-Shape generate(std::string_view spec) {
-    const Generator* generator = find(spec);
-    if (!generator)
-        throw lod::Error(lod::ErrorKind::usage, "no generator is called '" +
-                                                    std::string(spec.substr(0, spec.find(':'))) +
-                                                    "'; choose one of: " + list_of_names());
-    return make_shape(std::string(spec), generator->make(parse_values(spec, *generator)));
+    return all;
 }
 
 }  // namespace lod2d
