@@ -28,8 +28,9 @@ struct Number {
     std::string text;
 };
 
-/// One step: what happens and why. Its text is Markdown without equations; a symbol of the equations is
-/// written `r_a`. A question to the reader begins with **Predict:** and is answered by a later step.
+/// One step: what happens and why. Its text is Markdown without equations; a symbol of the
+/// equations is written `r_a`. A question to the reader begins with **Predict:** and is answered by
+/// a later step.
 struct Step {
     std::string title;
     std::string text;
@@ -50,8 +51,8 @@ struct Lesson {
     std::map<std::string, std::string> equations;  ///< LaTeX as written -> MathML
 };
 
-/// Runs a lesson's code. Throws lod::Error: usage for a number that no lesson has; input refused when
-/// its text names a figure, number or listing that its code does not make.
+/// Runs a lesson's code. Throws lod::Error: usage for a number that no lesson has; input refused
+/// when its text names a figure, number or listing that its code does not make.
 [[nodiscard]] Lesson run(int number);
 
 /// Throws lod::Error (input refused), naming the line of the text, unless every tag of the lesson's
@@ -59,12 +60,13 @@ struct Lesson {
 void check_lesson(const Lesson& lesson);
 
 struct StepperOptions {
-    std::filesystem::path pictures;     ///< folder for step_01.png, ...; made when missing; empty: none
+    std::filesystem::path
+        pictures;  ///< folder for step_01.png, ...; made when missing; empty: none
     viz::Theme theme = viz::Theme::light;
-    int keyboard = -1;     ///< a terminal to read single keys from; -1: lines from the input stream
-    bool styled = false;   ///< bold and dim, for a terminal
+    int keyboard = -1;    ///< a terminal to read single keys from; -1: lines from the input stream
+    bool styled = false;  ///< bold and dim, for a terminal
     bool show_inline = false;  ///< show each picture by `chafa`, where it is installed
-    int columns = 80;      ///< the text is broken into lines of at most so many characters
+    int columns = 80;          ///< the text is broken into lines of at most so many characters
     int first_step = 1;
 };
 
@@ -76,8 +78,8 @@ void step_in_terminal(const Lesson& lesson, std::istream& input, std::ostream& o
 
 /// How far write_book has come.
 struct BookProgress {
-    std::string what;   ///< "lesson 2: video"
-    double share = 0;   ///< of the whole book, 0 to 1
+    std::string what;          ///< "lesson 2: video"
+    double share = 0;          ///< of the whole book, 0 to 1
     double seconds_left = -1;  ///< by the pace so far; negative while that is not known
 };
 
@@ -90,8 +92,9 @@ struct BookOptions {
 };
 
 /// Writes the lessons as pages that work without a network: index.html and a folder a lesson.
-/// The directory is complete or absent: pages are made in a temporary directory beside it, which then
-/// takes its name; a book that stood there is replaced, anything else is refused (output failed).
+/// The directory is complete or absent: pages are made in a temporary directory beside it, which
+/// then takes its name; a book that stood there is replaced, anything else is refused (output
+/// failed).
 void write_book(const std::filesystem::path& directory, const BookOptions& options = {});
 
 }  // namespace lessons

@@ -1,0 +1,117 @@
+#include "lessons/sketch.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace lessons {
+
+std::string shown(double value, int decimals) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::fixed, decimals)
+                         .ptr;
+    std::string text(buffer.data(), end);
+    if (text.front() != '-') return text;
+    const bool zero = text.find_first_of("123456789") == std::string::npos;
+    return (zero ? "" : "−") + text.substr(1);
+}
+
+std::string shown_count(std::uint64_t value) {
+    std::string text = std::to_string(value);
+    constexpr std::size_t group = 3;
+    constexpr std::size_t shortest = 5;  // 1000 reads well as it is
+    if (text.size() < shortest) return text;
+    for (std::size_t place = text.size(); place > group; place -= group)
+        text.insert(place - group, "\u202f");
+    return text;
+}
+
+Number number(double value, int decimals, const std::string& unit) {
+    return {value, shown(value, decimals) + (unit.empty() ? "" : "\u00a0" + unit)};
+}
+
+Number count(std::uint64_t value, const std::string& unit) {
+    return {static_cast<double>(value), shown_count(value) + (unit.empty() ? "" : "\u00a0" + unit)};
+}
+
+lod2d::Shape scaled(const lod2d::Shape& shape, double factor) {
+    lod2d::Polygon polygon = shape.polygon;
+    for (lod2d::Ring& ring : polygon.rings)
+        for (lod2d::Point& p : ring) p *= factor;
+    return lod2d::make_shape(shape.name, polygon);
+}
+
+std::vector<viz::Ring> rings_of(const lod2d::Polygon& polygon) {
+    std::vector<viz::Ring> rings;
+    for (const lod2d::Ring& ring : polygon.rings) {
+        viz::Ring& drawn = rings.emplace_back();
+        for (const lod2d::Point& p : ring) drawn.push_back(at(p));
+    }
+    return rings;
+}
+
+std::size_t edge_count(const lod2d::Polygon& polygon) {
+    std::size_t edges = 0;
+    for (const lod2d::Ring& ring : polygon.rings) edges += ring.size();
+    return edges;
+}
+
+viz::Actor actor(const std::string& name, const lod2d::Shape& shape,
+                 std::shared_ptr<const lod::SphereTree<2>> tree) {
+    viz::Actor result;
+    result.look = {name, rings_of(shape.polygon)};
+    lod::set_mass(result.body, shape.area, lod::Inertia<2>::Constant(shape.second_moment));
+    result.body.tree = std::move(tree);
+    return result;
+}
+
+viz::Point at(const lod::Vector<2>& p) {
+    return {p.x(), p.y()};
+}
+
+viz::Style style(viz::Role role, int body, int level) {
+    return {role, body, level, 1};
+}
+
+void add_body(viz::Panel& panel, const viz::Actor& actor, int index) {
+    const viz::Role role = actor.body.is_static() ? viz::Role::wall : viz::Role::body;
+    panel.marks.push_back(
+        viz::Path{style(role, index), viz::carried(actor.body, actor.look.rings)});
+}
+
+void add_disc(viz::Panel& panel, const lod::Sphere<2>& disc, viz::Style style) {
+    panel.marks.push_back(viz::Disc{style, at(disc.centre), disc.radius});
+}
+
+void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<2>& p, int body) {
+    panel.marks.push_back(viz::Dot{style(role, body), at(p)});
+}
+
+void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<2>& from,
+              const lod::Vector<2>& to, int body) {
+    panel.marks.push_back(viz::Polyline{style(role, body), {at(from), at(to)}, 1, {}});
+}
+
+void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<2>& tail,
+               const lod::Vector<2>& tip, const std::string& label, int body) {
+    panel.marks.push_back(viz::Arrow{style(role, body), at(tail), at(tip), label});
+}
+
+void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<2>& anchor,
+               const std::string& text, int body, double clearance) {
+    panel.marks.push_back(viz::Label{style(role, body), at(anchor), text, clearance});
+}
+
+viz::Box box(double left, double bottom, double right, double top) {
+    return {{left, bottom}, {right, top}};
+}
+
+viz::Figure figure_of(viz::Panel panel, std::string title, std::string alt) {
+    viz::Figure figure;
+    figure.title = std::move(title);
+    figure.alt = std::move(alt);
+    figure.panels.push_back(std::move(panel));
+    return figure;
+}
+
+}  // namespace lessons

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/body.hpp"
+#include "lessons/lessons.hpp"
+#include "lod2d/shape.hpp"
+#include "viz/figure.hpp"
+#include "viz/scene_view.hpp"
+
+// Words and marks that lessons share.
+namespace lessons {
+
+/// A number as a reader sees it: so many decimals, a true minus sign, no "-0".
+[[nodiscard]] std::string shown(double value, int decimals);
+/// A count, with thin spaces between thousands.
+[[nodiscard]] std::string shown_count(std::uint64_t count);
+/// The number and its words: "0.31 m".
+[[nodiscard]] Number number(double value, int decimals, const std::string& unit = "");
+[[nodiscard]] Number count(std::uint64_t value, const std::string& unit = "");
+
+/// The shape at another size.
+[[nodiscard]] lod2d::Shape scaled(const lod2d::Shape& shape, double factor);
+[[nodiscard]] std::vector<viz::Ring> rings_of(const lod2d::Polygon& polygon);
+/// Sides of its outline.
+[[nodiscard]] std::size_t edge_count(const lod2d::Polygon& polygon);
+
+/// A body of density 1 kg/m^2 with a picture's look; its tree may come later.
+[[nodiscard]] viz::Actor actor(const std::string& name, const lod2d::Shape& shape,
+                               std::shared_ptr<const lod::SphereTree<2>> tree = nullptr);
+
+[[nodiscard]] viz::Point at(const lod::Vector<2>& p);
+[[nodiscard]] viz::Style style(viz::Role role, int body = 0, int level = -1);
+
+/// Outline of a body in the ink of body `index`.
+void add_body(viz::Panel& panel, const viz::Actor& actor, int index);
+void add_disc(viz::Panel& panel, const lod::Sphere<2>& disc, viz::Style style);
+void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<2>& p, int body = 0);
+void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<2>& from,
+              const lod::Vector<2>& to, int body = 0);
+void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<2>& tail,
+               const lod::Vector<2>& tip, const std::string& label = "", int body = 0);
+void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<2>& anchor,
+               const std::string& text, int body = 0, double clearance = 0);
+
+[[nodiscard]] viz::Box box(double left, double bottom, double right, double top);
+
+/// A figure of one panel.
+[[nodiscard]] viz::Figure figure_of(viz::Panel panel, std::string title, std::string alt);
+
+}  // namespace lessons

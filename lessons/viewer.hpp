@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lessons {
+
+/// Where `chafa`, which draws pictures in a terminal, is installed; empty where it is not.
+[[nodiscard]] std::filesystem::path find_viewer();
+
+/// Shows a picture on standard output, in at most columns x rows characters. Returns whether the
+/// viewer said that it did. No shell is involved.
+bool show_picture(const std::filesystem::path& viewer, const std::filesystem::path& picture,
+                  int columns, int rows);
+
+/// Puts a terminal into the state in which every key is delivered at once, unseen; the destructor
+/// puts it back. Signals (Ctrl-C) stay on.
+class KeyboardMode {
+  public:
+    explicit KeyboardMode(int terminal);
+    ~KeyboardMode();
+    KeyboardMode(const KeyboardMode&) = delete;
+    KeyboardMode& operator=(const KeyboardMode&) = delete;
+
+  private:
+    struct Saved;
+    int terminal_;
+    Saved* saved_;
+};
+
+/// The next byte of a terminal, or -1 at its end. Throws lod::Interrupted when a signal asks to
+/// stop.
+[[nodiscard]] int read_key(int terminal);
+
+/// Whether another byte follows at once: tells the Escape key from an arrow key's sequence.
+[[nodiscard]] bool key_waiting(int terminal);
+
+}  // namespace lessons
