@@ -11,12 +11,18 @@ constexpr std::uint64_t fnv_prime = 1099511628211ULL;
 struct Hash {
     std::uint64_t value = fnv_offset;
 
-    void add(double number) {
-        const auto bits = std::bit_cast<std::uint64_t>(number);
-        for (int shift = 0; shift < 64; shift += 8) {
+    template <class Bits>
+    void add_bits(Bits bits) {
+        for (std::size_t shift = 0; shift < 8 * sizeof bits; shift += 8) {
             value ^= (bits >> shift) & 0xff;
             value *= fnv_prime;
         }
+    }
+    void add(double number) { add_bits(std::bit_cast<std::uint64_t>(number)); }
+    void add(std::int32_t number) { add_bits(std::bit_cast<std::uint32_t>(number)); }
+    template <class Number>
+    void add(const std::vector<Number>& numbers) {
+        for (const Number number : numbers) add(number);
     }
     template <class Derived>
     void add(const Eigen::MatrixBase<Derived>& numbers) {
@@ -39,7 +45,22 @@ std::uint64_t state_hash(std::span<const Body<Dim>> bodies) {
     return hash.value;
 }
 
+template <int Dim>
+std::uint64_t tree_hash(const SphereTree<Dim>& tree) {
+    Hash hash;
+    for (const std::vector<double>& coordinate : tree.centre) hash.add(coordinate);
+    hash.add(tree.radius);
+    for (const std::vector<double>& coordinate : tree.normal) hash.add(coordinate);
+    hash.add(tree.level_begin);
+    hash.add(tree.child_count);
+    for (int node = 0; node < tree.size(); ++node)
+        if (!tree.is_leaf(node)) hash.add(tree.first_child[SphereTree<Dim>::index(node)]);
+    return hash.value;
+}
+
 template std::uint64_t state_hash(std::span<const Body<2>>);
 template std::uint64_t state_hash(std::span<const Body<3>>);
+template std::uint64_t tree_hash(const SphereTree<2>&);
+template std::uint64_t tree_hash(const SphereTree<3>&);
 
 }  // namespace lod

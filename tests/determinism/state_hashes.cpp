@@ -1,0 +1,131 @@
+// Runs scenes and prints one hash each: of the bits of every body at the end, or of a tree.
+// scripts/check_hashes compares them between compilers and levels.
+//
+// Usage: state_hashes [FILE]   compares with the hashes in FILE instead of printing, exits 1 on a
+// change
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "core/frame.hpp"
+#include "core/state_hash.hpp"
+
+namespace {
+
+using lod::Body;
+using lod::Sphere;
+using lod::Vector;
+
+/// Numbers in [-1, 1), the same everywhere.
+class Numbers {
+  public:
+    double next() {
+        state_ = 6364136223846793005ULL * state_ + 1442695040888963407ULL;
+        return static_cast<double>(state_ >> 11) * 0x1p-52 - 1;
+    }
+    template <class V>
+    V vector() {
+        V v;
+        for (double& number : v) number = next();
+        return v;
+    }
+
+  private:
+    std::uint64_t state_ = 2000;
+};
+
+/// A ball of 2^Dim smaller balls towards the corners, and so on.
+template <int Dim>
+void grow(std::vector<lod::TreeNode<Dim>>& nodes, std::size_t node, int levels) {
+    if (levels == 0) return;
+    const Sphere<Dim> parent = nodes[node].sphere;
+    for (int corner = 0; corner < (1 << Dim); ++corner) {
+        Vector<Dim> towards;
+        for (int axis = 0; axis < Dim; ++axis) towards[axis] = corner >> axis & 1 ? 1 : -1;
+        const double radius = 0.55 * parent.radius;
+        nodes[node].children.push_back(static_cast<int>(nodes.size()));
+        nodes.push_back({{parent.centre + 0.45 * parent.radius * towards.normalized(), radius},
+                         0.5 * towards.normalized(),
+                         {}});
+        grow(nodes, nodes.size() - 1, levels - 1);
+    }
+}
+
+template <int Dim>
+std::shared_ptr<const lod::SphereTree<Dim>> cluster(int levels) {
+    std::vector<lod::TreeNode<Dim>> nodes(1);
+    nodes[0].sphere.radius = 1;
+    grow<Dim>(nodes, 0, levels);
+    return std::make_shared<lod::SphereTree<Dim>>(lod::lay_out<Dim>(nodes));
+}
+
+/// Spinning clusters that all fly towards the origin, under a budget of node tests.
+template <int Dim>
+std::uint64_t crowd(lod::FrameSettings settings, lod::Budget budget) {
+    Numbers numbers;
+    const auto tree = cluster<Dim>(3);
+    std::vector<Body<Dim>> bodies(12);
+    for (Body<Dim>& body : bodies) {
+        lod::Inertia<Dim> inertia = lod::Inertia<Dim>::Identity();
+        for (int axis = 0; axis < inertia.rows(); ++axis) inertia(axis, axis) += 0.3 * axis;
+        lod::set_mass<Dim>(body, 2 + numbers.next(), inertia);
+        body.restitution = 0.9;
+        body.position = 7 * numbers.vector<Vector<Dim>>();
+        body.velocity = -body.position + numbers.vector<Vector<Dim>>();
+        body.spin = 3 * numbers.vector<lod::Spin<Dim>>();
+        body.tree = tree;
+    }
+    lod::FrameStorage<Dim> storage;
+    for (int frame = 0; frame < 400; ++frame) {
+        lod::Budget of_frame = budget;
+        lod::advance<Dim>(bodies, settings, of_frame, storage);
+    }
+    return lod::state_hash<Dim>(bodies);
+}
+
+/// "scene: hash" lines.
+class Report {
+  public:
+    void add(const std::string& scene, std::uint64_t hash) {
+        char digits[17];
+        std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+        lines_ += digits + ("  " + scene) + "\n";
+    }
+    [[nodiscard]] const std::string& lines() const { return lines_; }
+
+  private:
+    std::string lines_;
+};
+
+template <int Dim>
+void add_crowds(const std::string& where, Report& report) {
+    lod::FrameSettings settings;
+    report.add("tree of balls in " + where, lod::tree_hash(*cluster<Dim>(4)));
+    report.add("crowd in " + where, crowd<Dim>(settings, lod::Budget::unlimited()));
+    report.add("crowd in " + where + ", 300 node tests a frame",
+               crowd<Dim>(settings, lod::Budget::node_tests(300)));
+    settings.point_model = lod::PointModel::plane_of_intersection;
+    settings.response = lod::Response::mean;
+    report.add("crowd in " + where + ", plane of intersection, mean of impulses",
+               crowd<Dim>(settings, lod::Budget::unlimited()));
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    Report report;
+    add_crowds<2>("the plane", report);
+    add_crowds<3>("space", report);
+    if (count < 2) {
+        std::fputs(report.lines().c_str(), stdout);
+        return 0;
+    }
+    std::stringstream expected;
+    expected << std::ifstream(arguments[1]).rdbuf();
+    if (expected.str() == report.lines()) return 0;
+    std::printf("%s says\n%sbut this build gives\n%s", arguments[1], expected.str().c_str(),
+                report.lines().c_str());
+    return 1;
+}
