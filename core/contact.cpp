@@ -1,6 +1,7 @@
 #include "core/contact.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lod {
 namespace {
@@ -19,8 +20,9 @@ double along(PointModel model, double d, double radius_a, double radius_b) {
         return sum > 0 ? d * radius_a / sum : d / 2;
     }
     const bool crossing = d > std::abs(radius_a - radius_b);
-    if (crossing) return (d * d + radius_a * radius_a - radius_b * radius_b) / (2 * d);
-    return radius_a < radius_b ? radius_a : d - radius_b;
+    if (crossing) return 0.5 * (d + (radius_a - radius_b) * ((radius_a + radius_b) / d));
+    if (radius_a == radius_b) return d / 2;
+    return radius_a < radius_b ? -radius_a : d + radius_b;
 }
 
 }  // namespace

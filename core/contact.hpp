@@ -25,8 +25,9 @@ enum class PointModel {
 ///
 /// Coincident centres have no normal; then `fallback` is used (the line of the centres of mass, A
 /// to B), and the first axis where that is zero too. With the plane of intersection, a ball inside
-/// the other has no such plane; then the point is where the smaller ball's surface lies deepest
-/// inside, so that the point stays within both balls.
+/// the other has no such plane; then the point stays where the balls last touched from inside, on
+/// the smaller ball's surface: within both balls, and without a jump. Equal balls with one centre
+/// meet in that centre.
 template <int Dim>
 [[nodiscard]] std::optional<Contact<Dim>> model_contact(
     const Sphere<Dim>& a, const Sphere<Dim>& b, PointModel model = PointModel::radius_ratio,
