@@ -1,5 +1,6 @@
 #include "core/trigonometry.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,9 +27,13 @@ double short_cosine(double x) {
     return 1.0 - 0.5 * x2 * (1.0 - sum);
 }
 
+/// Beyond this the three-part reduction is not exact any more.
+constexpr double largest_exact = 1e6;
+
 }  // namespace
 
 SineCosine sine_cosine(double angle) {
+    if (!(std::abs(angle) <= largest_exact)) angle = wrapped_angle(angle);
     const double quarters = std::floor(angle * (2 / std::numbers::pi) + 0.5);
     const double x = ((angle - quarters * half_pi_1) - quarters * half_pi_2) - quarters * half_pi_3;
     const double s = short_sine(x);
@@ -43,8 +48,11 @@ SineCosine sine_cosine(double angle) {
 double wrapped_angle(double angle) {
     constexpr double pi = std::numbers::pi;
     if (angle >= -pi && angle <= pi) return angle;
+    if (!(std::abs(angle) <= largest_exact)) angle = std::fmod(angle, 2 * pi);  // exact by IEEE 754
     const double turns = std::floor(angle / (2 * pi) + 0.5);
-    return ((angle - turns * 4 * half_pi_1) - turns * 4 * half_pi_2) - turns * 4 * half_pi_3;
+    const double wrapped =
+        ((angle - turns * 4 * half_pi_1) - turns * 4 * half_pi_2) - turns * 4 * half_pi_3;
+    return std::clamp(wrapped, -pi, pi);  // next to an odd multiple of pi rounding may step over
 }
 
 }  // namespace lod
