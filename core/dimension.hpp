@@ -2,6 +2,9 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <type_traits>
 
 #include "core/trigonometry.hpp"
@@ -78,6 +81,19 @@ struct Space {
             return rotation * inertia * rotation.transpose();
     }
 
+    /// Into how many steps free_turn must be split so that its iteration settles (it contracts by a
+    /// factor of 4 a round); at most 1000.
+    static int free_turn_steps(const Inertia& inertia, const Inertia& inverse_inertia,
+                               const Spin& spin, double h) {
+        if constexpr (Dim == 2) {
+            return 1;
+        } else {
+            constexpr double most_steps = 1000;
+            const double turn = h * inertia.norm() * inverse_inertia.norm() * spin.norm();
+            return turn > 0.5 ? static_cast<int>(std::min(std::ceil(2 * turn), most_steps)) : 1;
+        }
+    }
+
     /// The rotation of free motion over h seconds: the turn in the world frame [rad] and the spin
     /// after it. See integrate.hpp for the method in space.
     struct FreeTurn {
@@ -91,29 +107,28 @@ struct Space {
         } else {
             constexpr int most_rounds = 60;
             const Spin momentum = inertia * (rotation.transpose() * spin);  // body frame
-            Spin next = momentum;
             Spin middle = inverse_inertia * momentum;
+            double change_before = std::numeric_limits<double>::infinity();
             for (int round = 0; round < most_rounds; ++round) {
-                // Q(h * middle) applied to the momentum: it stays put in the world frame.
-                const Spin moved = rotated(-h * middle, momentum);
-                const bool settled = (moved - next).cwiseAbs().maxCoeff() <=
-                                     1e-16 * momentum.cwiseAbs().maxCoeff();
-                next = moved;
-                middle = inverse_inertia * (0.5 * (momentum + next));
-                if (settled) break;
+                const Spin next = rotated(-h * middle, momentum);
+                const Spin better = inverse_inertia * (0.5 * (momentum + next));
+                const double change = (better - middle).cwiseAbs().maxCoeff();
+                middle = better;
+                // Settled, or down to rounding, where it shrinks no further.
+                if (change == 0 || change >= change_before) break;
+                change_before = change;
             }
+            // Q(h * middle) takes the momentum along: it stays put in the world frame.
+            const Spin next = rotated(-h * middle, momentum);
             const Spin turn = h * (rotation * middle);
-            const Spin spin_after =
-                rotated(turn, Spin(rotation * (inverse_inertia * next)));
+            const Spin spin_after = rotated(turn, Spin(rotation * (inverse_inertia * next)));
             return {turn, spin_after};
         }
     }
 
   private:
     /// v turned by the rotation vector `turn` (Rodrigues).
-    static Vector rotated(const Spin& turn, const Vector& v)
-        requires(Dim == 3)
-    {
+    static Vector rotated(const Spin& turn, const Vector& v) requires(Dim == 3) {
         const double angle = turn.norm();
         if (angle == 0) return v;
         const SineCosine of = sine_cosine(angle);

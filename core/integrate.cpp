@@ -7,11 +7,15 @@ void integrate(std::span<Body<Dim>> bodies, double h) {
     for (Body<Dim>& body : bodies) {
         if (body.is_static()) continue;
         body.position += h * body.velocity;
-        const auto [turn, spin] =
-            Space<Dim>::free_turn(Space<Dim>::rotation(body.orientation), body.inertia,
-                                  body.inverse_inertia, body.spin, h);
-        body.orientation = Space<Dim>::turned(body.orientation, turn);
-        body.spin = spin;
+        const int steps =
+            Space<Dim>::free_turn_steps(body.inertia, body.inverse_inertia, body.spin, h);
+        for (int step = 0; step < steps; ++step) {
+            const auto [turn, spin] =
+                Space<Dim>::free_turn(Space<Dim>::rotation(body.orientation), body.inertia,
+                                      body.inverse_inertia, body.spin, h / steps);
+            body.orientation = Space<Dim>::turned(body.orientation, turn);
+            body.spin = spin;
+        }
     }
 }
 
