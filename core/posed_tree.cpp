@@ -1,5 +1,6 @@
 #include "core/posed_tree.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace lod {
@@ -12,15 +13,16 @@ void PosedTree<Dim>::pose(const Body<Dim>& body) {
     const auto nodes = static_cast<std::size_t>(tree_->size());
     if (carried_for_.size() < nodes) {
         carried_for_.resize(nodes, 0);
-        for (auto& axis : centre_) axis.resize(nodes);
+        for (auto& axis : centre_) axis.resize(nodes + lanes - 1);
+        radius_.resize(nodes + lanes - 1);
     }
     ++pose_number_;
     carried_nodes_ = 0;
-    const Sphere<Dim> root = tree_->sphere(0);
-    // A rotated coordinate is a sum of Dim products, each factor rounded: below 8 units of the
-    // largest magnitude that enters.
-    rounding_ = 8 * std::numeric_limits<double>::epsilon() *
-                (position_.cwiseAbs().maxCoeff() + root.centre.norm() + root.radius);
+    // In units of u = epsilon / 2, worst case, in space (less in the plane): the matrix of a
+    // quaternion that is a unit to 4 u is off by 27 u, the sums of a carried centre by 7 u of the
+    // extent and 6 u of the position, the distance test by 5 u of the two radii.
+    rounding_ = 24 * std::numeric_limits<double>::epsilon() *
+                (position_.cwiseAbs().maxCoeff() + tree_->extent);
     carry(0, 1);
 }
 
@@ -44,6 +46,7 @@ void PosedTree<Dim>::carry(int first, int count) {
             out[node] = x;
         }
     }
+    std::copy_n(tree_->radius.data() + first, count, radius_.data() + first);
     carried_nodes_ += count;
 }
 
@@ -51,7 +54,7 @@ template <int Dim>
 Sphere<Dim> PosedTree<Dim>::sphere(int node) const {
     Sphere<Dim> s;
     for (int axis = 0; axis < Dim; ++axis) s.centre[axis] = centres(axis)[node];
-    s.radius = tree_->radius[static_cast<std::size_t>(node)];
+    s.radius = radii()[node];
     return s;
 }
 

@@ -13,6 +13,10 @@ namespace lod {
 template <int Dim>
 class PosedTree {
   public:
+    /// The arrays end with room for a whole block of the distance test: `lanes` numbers may be read
+    /// from any node on.
+    static constexpr int lanes = 4;
+
     /// Takes over a pose; forgets every node carried for the pose before. Allocates only when the
     /// tree is larger than any before it.
     void pose(const Body<Dim>& body);
@@ -24,12 +28,13 @@ class PosedTree {
     [[nodiscard]] Sphere<Dim> sphere(int node) const;
 
     [[nodiscard]] const SphereTree<Dim>& tree() const { return *tree_; }
-    /// Bound of the rounding of a carried centre [m]; a test adds it to its reach, so that rounding
-    /// never calls touching bodies apart.
+    /// Bound of all rounding between the pose and the verdict of a distance test, this body's share
+    /// [m]: a test adds it to its reach, so that rounding never calls touching bodies apart.
     [[nodiscard]] double rounding() const { return rounding_; }
     [[nodiscard]] const double* centres(int axis) const {
         return centre_[static_cast<std::size_t>(axis)].data();
     }
+    [[nodiscard]] const double* radii() const { return radius_.data(); }
     [[nodiscard]] int carried_nodes() const { return carried_nodes_; }
 
   private:
@@ -40,6 +45,7 @@ class PosedTree {
     Vector<Dim> position_ = Vector<Dim>::Zero();
     double rounding_ = 0;
     std::array<std::vector<double>, Dim> centre_;
+    std::vector<double> radius_;
     std::vector<std::uint64_t> carried_for_;  ///< of a parent: the pose its children stand in
     std::uint64_t pose_number_ = 0;
     int carried_nodes_ = 0;

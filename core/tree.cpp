@@ -89,6 +89,8 @@ SphereTree<Dim> lay_out(std::span<const TreeNode<Dim>> nodes) {
             tree.normal[d].push_back(node.mean_normal[static_cast<int>(d)]);
         }
         tree.radius.push_back(node.sphere.radius);
+        tree.extent =
+            std::max(tree.extent, node.sphere.centre.stableNorm() + node.sphere.radius);
         const auto count = static_cast<std::int32_t>(node.children.size());
         tree.first_child.push_back(next_child);
         tree.child_count.push_back(count);

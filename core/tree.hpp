@@ -27,6 +27,9 @@ struct SphereTree {
     /// Mean outward unit normal of the surface that the node stands for, body frame. Its length,
     /// the coherence, is 1 on a flat face and near 0 on a corner; zero where a node has no surface.
     std::array<std::vector<double>, Dim> normal;
+    /// Radius of the ball about the body's origin that holds every node [m]; lay_out sets it. It
+    /// bounds the rounding of a posed tree.
+    double extent = 0;
 
     [[nodiscard]] int size() const { return static_cast<int>(radius.size()); }
     [[nodiscard]] int levels() const { return static_cast<int>(level_begin.size()) - 1; }
