@@ -28,9 +28,8 @@ void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& sett
         const Vector<Dim> between = bodies[static_cast<std::size_t>(b)].position -
                                     bodies[static_cast<std::size_t>(a)].position;
         for (const NodePair& nodes : front.pairs) {
-            const auto contact = model_contact<Dim>(world_a.sphere(nodes.a),
-                                                    world_b.sphere(nodes.b),
-                                                    settings.point_model, between);
+            const auto contact = model_contact<Dim>(
+                world_a.sphere(nodes.a), world_b.sphere(nodes.b), settings.point_model, between);
             if (!contact) continue;  // they meet only within the rounding of the test
             record.node_pairs.push_back(nodes);
             record.impacts.push_back({a, b, static_cast<std::int32_t>(p), *contact});
@@ -47,7 +46,7 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
                                Budget& budget, FrameStorage<Dim>& storage) {
     pose_all(bodies, storage.world_S);
     storage.broad_phase.find(bodies, storage.world_S, storage.candidates);
-    prioritise<Dim>(settings.priority, bodies, storage.candidates, storage.order);
+    prioritise<Dim>(settings.priority, bodies, storage.candidates, storage.order, storage.scratch);
     const std::uint64_t spent_before = budget.spent();
     storage.record.interrupted =
         refine_all<Dim>(storage.candidates, storage.order, settings.deepest_level, storage.world_S,
@@ -71,11 +70,11 @@ const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings
     return record;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                \
-    template const FrameRecord<Dim>& detect(std::span<const Body<Dim>>, const FrameSettings&, \
-                                            Budget&, FrameStorage<Dim>&);                   \
-    template const FrameRecord<Dim>& advance(std::span<Body<Dim>>, const FrameSettings&,    \
-                                             Budget&, FrameStorage<Dim>&);
+#define LOD_INSTANTIATE(Dim)                                                                      \
+    template const FrameRecord<Dim>& detect(std::span<const Body<Dim>>, const FrameSettings&,     \
+                                            Budget&, FrameStorage<Dim>&);                         \
+    template const FrameRecord<Dim>& advance(std::span<Body<Dim>>, const FrameSettings&, Budget&, \
+                                             FrameStorage<Dim>&);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

@@ -31,14 +31,16 @@ struct PairRecord {
 /// into the solver.
 template <int Dim>
 struct FrameRecord {
-    std::vector<PairRecord> pairs;      ///< every candidate pair of the broad phase
-    std::vector<NodePair> node_pairs;   ///< the overlapping nodes behind each contact
-    std::vector<Impact<Dim>> impacts;   ///< same order; `pair` indexes `pairs`
-    std::vector<double> impulses;       ///< same order [N s]
-    std::uint64_t tests = 0;            ///< node tests of the frame
-    bool interrupted = false;           ///< the budget ended before the finest level
-    double energy_before = 0;           ///< kinetic, before the response [J]
-    double energy_after = 0;            ///< kinetic, after it [J]
+    std::vector<PairRecord> pairs;     ///< every candidate pair of the broad phase
+    std::vector<NodePair> node_pairs;  ///< the overlapping nodes behind each contact
+    std::vector<Impact<Dim>> impacts;  ///< same order; `pair` indexes `pairs`
+    std::vector<double> impulses;      ///< same order [N s]
+    /// Node tests of the frame. A frame that ran on a clock gives the same bits when it is played
+    /// again with Budget::node_tests(tests).
+    std::uint64_t tests = 0;
+    bool interrupted = false;  ///< the budget ended before the finest level
+    double energy_before = 0;  ///< kinetic, before the response [J]
+    double energy_after = 0;   ///< kinetic, after it [J]
 };
 
 /// Storage that frames reuse: a warm frame allocates nothing.

@@ -6,7 +6,9 @@
 namespace lod {
 namespace {
 
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
+std::size_t at(std::int32_t index) {
+    return static_cast<std::size_t>(index);
+}
 
 /// Approach of the centres of mass [m/s]; negative when they part.
 template <int Dim>
@@ -20,17 +22,17 @@ double closing_speed(const Body<Dim>& a, const Body<Dim>& b) {
 
 template <int Dim>
 void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
-                std::span<const CandidatePair> pairs, std::vector<std::int32_t>& order) {
+                std::span<const CandidatePair> pairs, std::vector<std::int32_t>& order,
+                ScheduleScratch& scratch) {
     order.resize(pairs.size());
     std::iota(order.begin(), order.end(), 0);
     if (priority == Priority::in_order) return;
+    std::vector<double>& speed = scratch.speed;
+    speed.resize(pairs.size());
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        speed[i] = closing_speed(bodies[at(pairs[i].a)], bodies[at(pairs[i].b)]);
     std::sort(order.begin(), order.end(), [&](std::int32_t x, std::int32_t y) {
-        const auto speed = [&](std::int32_t i) {
-            return closing_speed(bodies[at(pairs[at(i)].a)], bodies[at(pairs[at(i)].b)]);
-        };
-        const double speed_x = speed(x);
-        const double speed_y = speed(y);
-        return speed_x != speed_y ? speed_x > speed_y : x < y;
+        return speed[at(x)] != speed[at(y)] ? speed[at(x)] > speed[at(y)] : x < y;
     });
 }
 
@@ -50,11 +52,11 @@ bool refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32
         for (std::int32_t i : order) {
             Front& front = fronts[at(i)];
             if (front.finest) continue;
+            budget.reserve_contacts(contacts);
             contacts -= front.pairs.size();
-            budget.reserve_contacts(contacts + front.pairs.size());
-            const Refinement refined = refine(world_S[at(pairs[at(i)].a)],
-                                              world_S[at(pairs[at(i)].b)], budget, front,
-                                              scratch.level);
+            const Refinement refined =
+                refine(world_S[at(pairs[at(i)].a)], world_S[at(pairs[at(i)].b)], budget, front,
+                       scratch.level);
             if (refined == Refinement::interrupted) return true;
             contacts += front.pairs.size();
             unfinished |= !front.finest;
@@ -64,11 +66,11 @@ bool refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32
     return false;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                     \
+#define LOD_INSTANTIATE(Dim)                                                                       \
     template void prioritise(Priority, std::span<const Body<Dim>>, std::span<const CandidatePair>, \
-                             std::vector<std::int32_t>&);                                        \
-    template bool refine_all(std::span<const CandidatePair>, std::span<const std::int32_t>, int, \
-                             std::span<PosedTree<Dim>>, Budget&, std::vector<Front>&,            \
+                             std::vector<std::int32_t>&, ScheduleScratch&);                        \
+    template bool refine_all(std::span<const CandidatePair>, std::span<const std::int32_t>, int,   \
+                             std::span<PosedTree<Dim>>, Budget&, std::vector<Front>&,              \
                              ScheduleScratch&);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)

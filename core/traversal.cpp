@@ -6,30 +6,8 @@
 namespace lod {
 namespace {
 
-/// How many nodes one call of the distance test handles: its results stay in registers and cache.
-constexpr int batch = 8;
-
-/// The distance test of one ball against nodes [first, first + count) of a posed tree: entry k is
-/// at most 0 where they overlap. A plain loop over one array a coordinate, which compilers turn
-/// into SIMD; every lane does the same operations in the same order.
-template <int Dim>
-void separation(const PosedTree<Dim>& world, int first, int count, const Sphere<Dim>& ball,
-                std::array<double, batch>& result) {
-    std::array<double, batch> squared{};
-    for (int axis = 0; axis < Dim; ++axis) {
-        const double* centre = world.centres(axis) + first;
-        const double x = ball.centre[axis];
-        for (int k = 0; k < count; ++k) {
-            const double gap = centre[k] - x;
-            squared[static_cast<std::size_t>(k)] += gap * gap;
-        }
-    }
-    const double* radius = world.tree().radius.data() + first;
-    for (int k = 0; k < count; ++k) {
-        const double reach = radius[k] + ball.radius;
-        result[static_cast<std::size_t>(k)] = squared[static_cast<std::size_t>(k)] - reach * reach;
-    }
-}
+/// Between two questions to the budget at most so many tests are done.
+constexpr int most_at_once = 64;
 
 void conclude(Front& front, bool any_leaf_pair, bool any_children) {
     ++front.level;
@@ -46,29 +24,67 @@ struct Level {
     PosedTree<Dim>& a;
     PosedTree<Dim>& b;
     Budget& budget;
-    std::vector<NodePair>& found;
+    std::vector<NodePair>& found;    ///< storage; only the first `found_count` are meant
+    const std::size_t reserved = 0;  ///< contacts of this pair that the budget reserves already
+    const double slack = a.rounding() + b.rounding();
+    std::size_t found_count = 0;
     std::uint64_t tests = 0;
+
+    [[nodiscard]] std::uint64_t more_contacts() const {
+        return found_count > reserved ? found_count - reserved : 0;
+    }
+
+    /// Makes room for `more` pairs beyond those found.
+    void make_room(std::size_t more) {
+        if (found.size() < found_count + more)
+            found.resize(std::max(found_count + more, 2 * found.size()));
+    }
+
+    /// The distance test of one ball, `node` of one tree, against the nodes [first, first + count)
+    /// of the other; `swapped` when these are A's. A plain loop over blocks of fixed length, one
+    /// array a coordinate, which compilers turn into SIMD; every lane does the same operations in
+    /// the same order. No branch depends on the outcome, for no processor can guess it.
+    template <bool swapped>
+    void test_block(const Sphere<Dim>& ball, int node, const PosedTree<Dim>& many, int first,
+                    int count) {
+        constexpr int lanes = PosedTree<Dim>::lanes;
+        make_room(static_cast<std::size_t>(count));
+        NodePair* const out = found.data();
+        std::size_t n = found_count;
+        for (int begin = first; begin < first + count; begin += lanes) {
+            std::array<double, lanes> squared{};
+            std::array<double, lanes> reach{};
+            for (int axis = 0; axis < Dim; ++axis) {
+                const double* centre = many.centres(axis) + begin;
+                const double x = ball.centre[axis];
+                for (std::size_t k = 0; k < lanes; ++k)
+                    squared[k] += (centre[k] - x) * (centre[k] - x);
+            }
+            const double* radius = many.radii() + begin;
+            for (std::size_t k = 0; k < lanes; ++k)
+                reach[k] = (radius[k] + ball.radius) * (radius[k] + ball.radius);
+            const int end = std::min(lanes, first + count - begin);
+            for (int k = 0; k < end; ++k) {
+                out[n] = swapped ? NodePair{begin + k, node} : NodePair{node, begin + k};
+                n += squared[static_cast<std::size_t>(k)] <= reach[static_cast<std::size_t>(k)];
+            }
+        }
+        found_count = n;
+    }
 
     /// Tests one node of A against nodes [first, first + count) of B; with `swapped`, one node of B
     /// against nodes of A. Returns false when the budget ended.
     template <bool swapped>
     bool test(int node, int first, int count) {
-        PosedTree<Dim>& one = swapped ? b : a;
-        PosedTree<Dim>& many = swapped ? a : b;
-        Sphere<Dim> ball = one.sphere(node);
-        ball.radius += a.rounding() + b.rounding();
-        std::array<double, batch> result;
-        for (int begin = first; begin < first + count; begin += batch) {
-            const int wanted = std::min(batch, first + count - begin);
-            const int granted =
-                static_cast<int>(budget.grant(static_cast<std::uint64_t>(wanted)));
-            tests += static_cast<std::uint64_t>(granted);
-            if (granted < wanted) return false;
-            separation(many, begin, wanted, ball, result);
-            for (int k = 0; k < wanted; ++k)
-                if (result[static_cast<std::size_t>(k)] <= 0)
-                    found.push_back(swapped ? NodePair{begin + k, node}
-                                            : NodePair{node, begin + k});
+        const PosedTree<Dim>& many = swapped ? a : b;
+        Sphere<Dim> ball = (swapped ? b : a).sphere(node);
+        ball.radius += slack;
+        for (int done = 0; done < count; done += most_at_once) {
+            const int wanted = std::min(most_at_once, count - done);
+            const auto granted = budget.grant(static_cast<std::uint64_t>(wanted), more_contacts());
+            tests += granted;
+            if (granted < static_cast<std::uint64_t>(wanted)) return false;
+            test_block<swapped>(ball, node, many, first + done, wanted);
         }
         return true;
     }
@@ -77,7 +93,8 @@ struct Level {
         const auto child_count_a = a.tree().child_count[static_cast<std::size_t>(pair.a)];
         const auto child_count_b = b.tree().child_count[static_cast<std::size_t>(pair.b)];
         if (child_count_a == 0 && child_count_b == 0) {
-            found.push_back(pair);
+            make_room(1);
+            found[found_count++] = pair;
             return true;
         }
         const auto first_a = a.tree().first_child[static_cast<std::size_t>(pair.a)];
@@ -89,6 +106,15 @@ struct Level {
         for (int child = first_a; child < first_a + child_count_a; ++child)
             if (!test<false>(child, first_b, child_count_b)) return false;
         return true;
+    }
+
+    /// All of the level, or false where the budget ended before it was done.
+    bool expand_all(std::span<const NodePair> pairs) {
+        for (const NodePair& pair : pairs)
+            if (!expand(pair)) return false;
+        if (budget.keeps_level(more_contacts())) return true;
+        if (tests > 0) --tests;
+        return false;
     }
 };
 
@@ -116,16 +142,14 @@ void test_roots(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Front& front) 
 template <int Dim>
 Refinement refine(PosedTree<Dim>& a, PosedTree<Dim>& b, Budget& budget, Front& front,
                   std::vector<NodePair>& scratch) {
-    scratch.clear();
-    Level<Dim> level{a, b, budget, scratch};
-    for (const NodePair& pair : front.pairs) {
-        if (!level.expand(pair)) {
-            front.tests += level.tests;
-            return Refinement::interrupted;
-        }
-    }
+    Level<Dim> level{a, b, budget, scratch, front.pairs.size()};
+    const bool done = level.expand_all(front.pairs);
     front.tests += level.tests;
-    front.pairs.swap(scratch);
+    if (!done) return Refinement::interrupted;
+    // Copied, not swapped: so each front keeps its own storage, and a frame seen before allocates
+    // nothing.
+    front.pairs.assign(scratch.begin(),
+                       scratch.begin() + static_cast<std::ptrdiff_t>(level.found_count));
     bool any_leaf_pair = false;
     bool any_children = false;
     for (const NodePair& pair : front.pairs) {
@@ -155,10 +179,10 @@ std::vector<Front> traverse_levels(const Body<Dim>& a, const Body<Dim>& b, int d
     return levels;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                    \
-    template void test_roots(const PosedTree<Dim>&, const PosedTree<Dim>&, Front&);             \
-    template Refinement refine(PosedTree<Dim>&, PosedTree<Dim>&, Budget&, Front&,               \
-                               std::vector<NodePair>&);                                         \
+#define LOD_INSTANTIATE(Dim)                                                        \
+    template void test_roots(const PosedTree<Dim>&, const PosedTree<Dim>&, Front&); \
+    template Refinement refine(PosedTree<Dim>&, PosedTree<Dim>&, Budget&, Front&,   \
+                               std::vector<NodePair>&);                             \
     template std::vector<Front> traverse_levels(const Body<Dim>&, const Body<Dim>&, int);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)

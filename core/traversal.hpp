@@ -44,8 +44,10 @@ void test_roots(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Front& front);
 
 /// Tests the next level of one body pair: all children of every overlapping node pair, a leaf
 /// against the other side's children, two leaves carried on untested. Stops between any two node
-/// tests when the budget ends, and then leaves nothing behind but the count of tests.
-/// `scratch` is storage that the caller keeps. Requires: front.level >= 0 and not front.finest.
+/// tests when the budget ends, and then leaves nothing behind but the count of tests. A level that
+/// finds more contacts than the budget can still resolve counts as interrupted, too: the contacts
+/// of `front` are taken to be reserved already (Budget::reserve_contacts). `scratch` is storage
+/// that the caller keeps. Requires: front.level >= 0 and not front.finest.
 template <int Dim>
 [[nodiscard]] Refinement refine(PosedTree<Dim>& a, PosedTree<Dim>& b, Budget& budget, Front& front,
                                 std::vector<NodePair>& scratch);
