@@ -35,9 +35,16 @@ constexpr double largest_exact = 1e6;
 SineCosine sine_cosine(double angle) {
     if (!(std::abs(angle) <= largest_exact)) angle = wrapped_angle(angle);
     const double quarters = std::floor(angle * (2 / std::numbers::pi) + 0.5);
-    const double x = ((angle - quarters * half_pi_1) - quarters * half_pi_2) - quarters * half_pi_3;
-    const double s = short_sine(x);
-    const double c = short_cosine(x);
+    // The angle less whole quarters as a double and what it leaves out, both differences in full.
+    const double first = angle - quarters * half_pi_1;  // exact
+    const double second = quarters * half_pi_2;         // exact
+    const double x = first - second;
+    const double shift = first - x;
+    const double left_out = ((first - (x + shift)) + (shift - second)) - quarters * half_pi_3;
+    const double s_x = short_sine(x);
+    const double c_x = short_cosine(x);
+    const double s = s_x + c_x * left_out;
+    const double c = c_x - s_x * left_out;
     const double turn = quarters - 4 * std::floor(quarters / 4);
     if (turn == 0) return {s, c};
     if (turn == 1) return {c, -s};
@@ -49,10 +56,14 @@ double wrapped_angle(double angle) {
     constexpr double pi = std::numbers::pi;
     if (angle >= -pi && angle <= pi) return angle;
     if (!(std::abs(angle) <= largest_exact)) angle = std::fmod(angle, 2 * pi);  // exact by IEEE 754
+    const auto less = [&](double turns) {
+        return ((angle - turns * 4 * half_pi_1) - turns * 4 * half_pi_2) - turns * 4 * half_pi_3;
+    };
     const double turns = std::floor(angle / (2 * pi) + 0.5);
-    const double wrapped =
-        ((angle - turns * 4 * half_pi_1) - turns * 4 * half_pi_2) - turns * 4 * half_pi_3;
-    return std::clamp(wrapped, -pi, pi);  // next to an odd multiple of pi rounding may step over
+    double wrapped = less(turns);
+    if (wrapped < -pi) wrapped = less(turns - 1);  // the quotient was rounded up
+    if (wrapped > pi) wrapped = less(turns + 1);
+    return std::clamp(wrapped, -pi, pi);
 }
 
 }  // namespace lod

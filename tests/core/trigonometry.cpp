@@ -1,0 +1,104 @@
+#include "core/trigonometry.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "tests/catch.hpp"
+#include "tests/random.hpp"
+
+using namespace lod;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// Error in units in the last place of the exact value.
+double ulps(double value, long double exact) {
+    const int exponent = std::ilogb(static_cast<double>(exact));
+    return static_cast<double>(std::abs(value - exact) / std::ldexp(1.0L, exponent - 52));
+}
+
+/// The larger error of sine and cosine against the C library in extended precision.
+double worst_ulps(double angle) {
+    const SineCosine of = sine_cosine(angle);
+    const long double x = angle;
+    return std::max(ulps(of.sine, std::sin(x)), ulps(of.cosine, std::cos(x)));
+}
+
+// Where long double is no wider than double, its own error adds half a unit or more.
+constexpr double bound = std::numeric_limits<long double>::digits > 53 ? 2.0 : 3.0;
+
+}  // namespace
+
+TEST_CASE("sine and cosine are within 2 units in the last place up to a million radians",
+          "[trigonometry]") {
+    lodtest::Random random(1);
+    for (const double range : {0.8, 10.0, 1e3, 1e6}) {
+        double worst = 0;
+        for (int i = 0; i < 100000; ++i)
+            worst = std::max(worst, worst_ulps(random.in(-range, range)));
+        INFO("range " << range);
+        CHECK(worst <= bound);
+    }
+}
+
+TEST_CASE("sine and cosine hold their bound next to every quarter turn", "[trigonometry]") {
+    double worst = 0;
+    for (int quarter = 1; quarter < 636000; quarter += quarter < 2000 ? 1 : 97) {
+        const double near = quarter * (pi / 2);
+        const double infinity = std::numeric_limits<double>::infinity();
+        for (const double angle : {std::nextafter(near, 0.0), near, std::nextafter(near, infinity)})
+            worst = std::max(worst, worst_ulps(angle));
+    }
+    CHECK(worst <= bound);
+}
+
+TEST_CASE("sine and cosine are exact where they must be", "[trigonometry]") {
+    CHECK(sine_cosine(0).sine == 0);
+    CHECK(sine_cosine(0).cosine == 1);
+    CHECK(sine_cosine(1e-300).sine == 1e-300);
+    lodtest::Random random(2);
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = random.in(-100, 100);
+        CHECK(sine_cosine(-angle).sine == -sine_cosine(angle).sine);
+        CHECK(sine_cosine(-angle).cosine == sine_cosine(angle).cosine);
+    }
+}
+
+TEST_CASE("an absurd angle still has a sine and a cosine on the unit circle", "[trigonometry]") {
+    for (const double angle : {1e7, -1e16, 1e100, -1.7e308}) {
+        const SineCosine of = sine_cosine(angle);
+        CHECK(std::abs(of.sine * of.sine + of.cosine * of.cosine - 1) < 1e-15);
+    }
+    // Twenty million radians: 3 million turns of a double 2 pi that is off by 2.4e-16.
+    CHECK(std::abs(sine_cosine(2e7).sine - static_cast<double>(std::sin(2e7L))) < 2e7 * 4e-17);
+    const double infinity = std::numeric_limits<double>::infinity();
+    CHECK(std::isnan(sine_cosine(infinity).sine));
+    CHECK(std::isnan(sine_cosine(std::nan("")).cosine));
+}
+
+TEST_CASE("a wrapped angle differs by whole turns and stays within half a turn", "[trigonometry]") {
+    const long double turn = 2 * std::numbers::pi_v<long double>;
+    lodtest::Random random(3);
+    const auto check = [&](double angle) {
+        const double wrapped = wrapped_angle(angle);
+        CHECK(wrapped >= -pi);
+        CHECK(wrapped <= pi);
+        const long double turns = std::round((angle - static_cast<long double>(wrapped)) / turn);
+        const auto off = std::abs(angle - turns * turn - wrapped);
+        // The rounding of the result, and of long double's own pi over that many turns.
+        CHECK(static_cast<double>(off) <= 1e-15 + std::abs(angle) * 1e-19);
+    };
+    for (int i = 0; i < 20000; ++i) check(random.in(-1e3, 1e3));
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (int odd = -1001; odd <= 1001; odd += 2)
+        for (const double angle :
+             {std::nextafter(odd * pi, -infinity), odd * pi, std::nextafter(odd * pi, infinity)})
+            check(angle);
+}
+
+TEST_CASE("an angle within half a turn is not touched", "[trigonometry]") {
+    for (const double angle : {0.0, -pi, pi, 1.0, -3.0}) CHECK(wrapped_angle(angle) == angle);
+    for (const double angle : {1e10, -1e200}) CHECK(std::abs(wrapped_angle(angle)) <= pi);
+}
