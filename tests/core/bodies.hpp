@@ -151,8 +151,9 @@ std::shared_ptr<const lod::SphereTree<Dim>> box_tree(double width, double height
     std::vector<lod::TreeNode<Dim>> nodes;
     const auto add = [&](auto&& self, Planar middle, double w, double h, int levels) -> int {
         const int number = static_cast<int>(nodes.size());
-        nodes.push_back({{planar<Dim>(middle.x(), middle.y()), 0.5 * std::hypot(w, h)}, {}, {}});
-        nodes.back().mean_normal.setZero();
+        nodes.push_back({{planar<Dim>(middle.x(), middle.y()), 0.5 * std::hypot(w, h)},
+                         lod::Vector<Dim>::Zero(),
+                         {}});
         if (levels == 0) return number;
         for (int quarter = 0; quarter < 4; ++quarter) {
             const Planar step{(quarter % 2 ? 0.25 : -0.25) * w, (quarter / 2 ? 0.25 : -0.25) * h};

@@ -38,8 +38,8 @@ TEMPLATE_TEST_CASE_SIG("the contact point divides the centre line by the radii",
     CHECK(contact->depth == Approx(0.5));
 }
 
-TEMPLATE_TEST_CASE_SIG("the contact normal runs from A to B and turns round with them",
-                       "[contact]", ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("the contact normal runs from A to B and turns round with them", "[contact]",
+                       ((int Dim), Dim), 2, 3) {
     const Sphere<Dim> a{planar<Dim>(1, 2), 3.0};
     const Sphere<Dim> b{planar<Dim>(4, 6), 2.5};  // 3, 4, 5
     const auto forward = model_contact(a, b);
@@ -117,15 +117,14 @@ TEMPLATE_TEST_CASE_SIG("a ball inside the other keeps the point in both, without
     CHECK(point_along(same, same, plane) == 1);
 }
 
-TEMPLATE_TEST_CASE_SIG("huge and tiny balls have finite contacts", "[contact]",
-                       ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("huge and tiny balls have finite contacts", "[contact]", ((int Dim), Dim), 2,
+                       3) {
     const auto tiny = model_contact(ball_at<Dim>(0, 1e-200), ball_at<Dim>(1e-200, 1e-200));
     REQUIRE(tiny);
     CHECK(tiny->normal == Vector<Dim>::Unit(0));
     CHECK(tiny->point.allFinite());
     for (const PointModel model : {PointModel::radius_ratio, PointModel::plane_of_intersection}) {
-        const auto huge =
-            model_contact<Dim>(ball_at<Dim>(0, 1e150), ball_at<Dim>(1, 1e-3), model);
+        const auto huge = model_contact<Dim>(ball_at<Dim>(0, 1e150), ball_at<Dim>(1, 1e-3), model);
         REQUIRE(huge);
         CHECK(huge->point.allFinite());
         CHECK(huge->normal == Vector<Dim>::Unit(0));

@@ -71,13 +71,12 @@ TEMPLATE_TEST_CASE_SIG("two equal discs at offset 1 part at a right angle", "[ex
     CHECK(planar_spin(bodies[0]) == Approx(0).margin(exact));
 }
 
-TEMPLATE_TEST_CASE_SIG("a disc on the end of a rod sets it spinning", "[exact]",
-                       ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("a disc on the end of a rod sets it spinning", "[exact]", ((int Dim), Dim),
+                       2, 3) {
     for (const Response response : every_response) {
         const Body<Dim> flying = planar_body<Dim>(1, 1, {1, -0.5}, {0, 1});
         const Body<Dim> rod = planar_body<Dim>(1, 1 * 2.0 * 2.0 / 12);
-        const auto after =
-            impact<Dim>(flying, rod, planar_contact<Dim>({1, 0}, {0, 1}), response);
+        const auto after = impact<Dim>(flying, rod, planar_contact<Dim>({1, 0}, {0, 1}), response);
         check_velocity(after[0], 0, 0.6);
         check_velocity(after[1], 0, 0.4);
         check_near(planar_spin(after[1]), 1.2);
@@ -105,9 +104,8 @@ TEMPLATE_TEST_CASE_SIG("a square that lands on one corner turns fall into spin",
     for (const Landing& landing :
          {Landing{0.25, 5.0 / 11, 24.0 / 11}, {1 / root6, 0, root6}, {0.5, -0.2, 2.4}}) {
         const Body<Dim> square = planar_body<Dim>(1, 1.0 / 6, {0, 0.5}, {0, -1});
-        const auto after = impact<Dim>(immovable<Dim>(), square,
-                                       planar_contact<Dim>({landing.r_x, 0}, {0, 1}),
-                                       Response::net);
+        const auto after = impact<Dim>(
+            immovable<Dim>(), square, planar_contact<Dim>({landing.r_x, 0}, {0, 1}), Response::net);
         check_velocity(after[1], 0, landing.v_y);
         check_near(planar_spin(after[1]), landing.w);
         check_velocity(after[0], 0, 0);
@@ -115,8 +113,8 @@ TEMPLATE_TEST_CASE_SIG("a square that lands on one corner turns fall into spin",
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("two spinning bodies meet off their centres", "[exact]",
-                       ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("two spinning bodies meet off their centres", "[exact]", ((int Dim), Dim), 2,
+                       3) {
     for (const Response response : every_response) {
         const Body<Dim> a = planar_body<Dim>(1, 1.0 / 6, {0, 0}, {1, 0}, 2);
         const Body<Dim> b = planar_body<Dim>(2, 1.0 / 3, {1.3, 0.1}, {-0.5, 0.2}, -1);
@@ -134,14 +132,13 @@ TEMPLATE_TEST_CASE_SIG("two spinning bodies meet off their centres", "[exact]",
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("two offset boxes set each other spinning", "[exact]",
-                       ((int Dim), Dim), 2, 3) {
+TEMPLATE_TEST_CASE_SIG("two offset boxes set each other spinning", "[exact]", ((int Dim), Dim), 2,
+                       3) {
     for (const Response response : every_response) {
         const Body<Dim> a = planar_body<Dim>(1, 1.0 / 6, {0, 0}, {2, 0});
         const Body<Dim> b = planar_body<Dim>(1, 1.0 / 6, {1, 0.4}, {0, 0});
         double j = 0;
-        const auto after =
-            impact<Dim>(a, b, planar_contact<Dim>({0.5, 0.2}, {1, 0}), response, &j);
+        const auto after = impact<Dim>(a, b, planar_contact<Dim>({0.5, 0.2}, {1, 0}), response, &j);
         check_near(j, 50.0 / 31);  // K = 2 + 2 * 6 * 0.2^2 = 2.48
         check_near(planar_spin(after[0]), 60.0 / 31);
         check_near(planar_spin(after[1]), 60.0 / 31);

@@ -1,0 +1,132 @@
+#include "core/posed_tree.hpp"
+
+#include "tests/catch.hpp"
+#include "tests/core/bodies.hpp"
+
+using namespace lod;
+using namespace lodtest;
+
+namespace {
+
+using Wide = long double;
+using WideSpin3 = Eigen::Matrix<Wide, 3, 3>;
+
+/// The exact rotation, to extended precision: of an angle, and of a quaternion made a unit first.
+Eigen::Matrix<Wide, 2, 2> wide_rotation(double angle) {
+    const Wide s = std::sin(static_cast<Wide>(angle));
+    const Wide c = std::cos(static_cast<Wide>(angle));
+    return (Eigen::Matrix<Wide, 2, 2>() << c, -s, s, c).finished();
+}
+WideSpin3 wide_rotation(const Eigen::Quaterniond& q) {
+    return q.cast<Wide>().normalized().toRotationMatrix();
+}
+
+template <int Dim>
+Eigen::Matrix<Wide, Dim, 1> wide_centre(const Body<Dim>& body, int node) {
+    return wide_rotation(body.orientation) * body.tree->sphere(node).centre.template cast<Wide>() +
+           body.position.template cast<Wide>();
+}
+
+template <int Dim>
+void carry_all(PosedTree<Dim>& world) {
+    for (int node = 0; node < world.tree().size(); ++node)
+        if (!world.tree().is_leaf(node)) world.carry_children(node);
+}
+
+template <int Dim>
+Body<Dim> placed(Random& random, double far) {
+    Body<Dim> body = random_body<Dim>(random);
+    body.tree = random_tree<Dim>(random, 3, 4, random.in(0.1, 10));
+    body.position = random_vector<Dim>(random, far);
+    // A long way round, so that a quaternion has met its rounding.
+    for (int i = 0; i < 20; ++i)
+        body.orientation = Space<Dim>::turned(body.orientation, random_spin<Dim>(random, 3));
+    return body;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("carried centres stay within the rounding bound", "[posed_tree]",
+                       ((int Dim), Dim), 2, 3) {
+    Random random(21);
+    double worst = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const Body<Dim> body = placed<Dim>(random, trial % 3 == 0 ? 1e4 : 3.0);
+        PosedTree<Dim> world;
+        world.pose(body);
+        carry_all(world);
+        for (int node = 0; node < body.tree->size(); ++node) {
+            const auto off =
+                (world.sphere(node).centre.template cast<Wide>() - wide_centre(body, node)).norm();
+            worst = std::max(worst, static_cast<double>(off) / world.rounding());
+        }
+    }
+    // The bound also pays for the distance test; 43 of its 48 units are the centre's.
+    CHECK(worst <= 43.0 / 48);
+    CHECK(worst > 0.005);  // and it is a bound, not a licence
+}
+
+TEMPLATE_TEST_CASE_SIG("two turned balls that just touch are never called apart", "[posed_tree]",
+                       ((int Dim), Dim), 2, 3) {
+    Random random(22);
+    for (int trial = 0; trial < 2000; ++trial) {
+        Body<Dim> a = placed<Dim>(random, 50);
+        Body<Dim> b = placed<Dim>(random, 50);
+        // Put B's root at the touching distance of A's, to the last bit that doubles hold.
+        const Eigen::Matrix<Wide, Dim, 1> between = wide_centre(b, 0) - wide_centre(a, 0);
+        const Wide reach = static_cast<Wide>(a.tree->radius[0]) + b.tree->radius[0];
+        const Wide too_far = between.norm() - reach;
+        const Eigen::Matrix<Wide, Dim, 1> move = between.normalized() * too_far;
+        b.position -= move.template cast<double>();
+        if ((wide_centre(b, 0) - wide_centre(a, 0)).norm() > reach) continue;
+        PosedTree<Dim> world_a;
+        PosedTree<Dim> world_b;
+        world_a.pose(a);
+        world_b.pose(b);
+        Sphere<Dim> ball = world_a.sphere(0);
+        ball.radius += world_a.rounding() + world_b.rounding();
+        CHECK(overlap(ball, world_b.sphere(0)));
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("only the families that were asked for are carried, once a pose",
+                       "[posed_tree]", ((int Dim), Dim), 2, 3) {
+    Body<Dim> body = planar_body<Dim>(1, 1);
+    body.tree = box_tree<Dim>(2, 1, 3);
+    PosedTree<Dim> world;
+    world.pose(body);
+    CHECK(world.carried_nodes() == 1);  // the root
+    world.carry_children(0);
+    CHECK(world.carried_nodes() == 5);
+    world.carry_children(0);  // again: nothing to do
+    CHECK(world.carried_nodes() == 5);
+    world.carry_children(3);
+    CHECK(world.carried_nodes() == 9);
+
+    const Vector<Dim> before = world.sphere(13).centre;  // first child of node 3
+    body.position += planar<Dim>(1, 0);
+    world.pose(body);
+    CHECK(world.carried_nodes() == 1);
+    world.carry_children(3);
+    CHECK(world.carried_nodes() == 5);
+    CHECK((world.sphere(13).centre - before - planar<Dim>(1, 0)).norm() <= world.rounding());
+}
+
+TEMPLATE_TEST_CASE_SIG("a posed tree may take over a larger tree and a smaller one again",
+                       "[posed_tree]", ((int Dim), Dim), 2, 3) {
+    Body<Dim> body = planar_body<Dim>(1, 1);
+    const auto small = box_tree<Dim>(1, 1, 1);
+    const auto large = box_tree<Dim>(4, 4, 4);
+    PosedTree<Dim> world;
+    for (const auto& tree : {small, large, small, large}) {
+        body.tree = tree;
+        world.pose(body);
+        carry_all(world);
+        CHECK(world.carried_nodes() == tree->size());
+        for (int node = 0; node < tree->size(); ++node) {
+            CHECK((world.sphere(node).centre - tree->sphere(node).centre).norm() <=
+                  world.rounding());
+            CHECK(world.sphere(node).radius == tree->sphere(node).radius);
+        }
+    }
+}
