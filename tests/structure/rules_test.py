@@ -9,7 +9,8 @@ from rules import breaches_in
 HOUSE = {
     "core/dimension.hpp": "#pragma once\ntemplate <int Dim> constexpr bool plane = Dim == 2;\n",
     "core/body.hpp": '#include "core/dimension.hpp"\n// Dim == 2 in a comment\n',
-    "lod2d/shape.hpp": '#include "core/body.hpp"\n',
+    "core/ball.cpp": "template <int Dim> int points() { return Dim + 1; }\n",
+    "lod2d/shape.hpp": '#include "core/body.hpp"\n#include <nlohmann/json_fwd.hpp>\n',
     "lod2d/box2d_reference.cpp": "#include <box2d/box2d.h>\n",
     "viz/figure.hpp": "#include <string>\n",
     "viz/figure.cpp": '#include "viz/figure.hpp"\n',
