@@ -10,6 +10,14 @@
 namespace lod2d {
 namespace {
 
+double squared_distance(const Box& box, const Point& p) {
+    const double dx = std::max({box.min().x() - p.x(), 0.0, p.x() - box.max().x()});
+    const double dy = std::max({box.min().y() - p.y(), 0.0, p.y() - box.max().y()});
+    return dx * dx + dy * dy;
+}
+
+}  // namespace
+
 Point nearest_on_segment(const Point& a, const Point& b, const Point& p) {
     const Point along = b - a;
     const double length2 = along.squaredNorm();
@@ -19,14 +27,6 @@ Point nearest_on_segment(const Point& a, const Point& b, const Point& p) {
     if (t >= 1) return b;
     return a + t * along;
 }
-
-double squared_distance(const Box& box, const Point& p) {
-    const double dx = std::max({box.min().x() - p.x(), 0.0, p.x() - box.max().x()});
-    const double dy = std::max({box.min().y() - p.y(), 0.0, p.y() - box.max().y()});
-    return dx * dx + dy * dy;
-}
-
-}  // namespace
 
 BoundaryIndex::BoundaryIndex(const Polygon& polygon) {
     std::vector<Box> boxes;
@@ -67,16 +67,19 @@ void BoundaryIndex::build_rings(std::span<std::int32_t> rings, std::span<const B
     build_rings(rings.first(half), boxes);
     nodes_[node].right = static_cast<std::int32_t>(nodes_.size());
     build_rings(rings.subspan(half), boxes);
+    nodes_[node].after = static_cast<std::uint32_t>(nodes_.size());
 }
 
 void BoundaryIndex::build_run(std::int32_t first_edge, std::int32_t last_edge) {
     const std::size_t node = nodes_.size();
-    nodes_.push_back({{}, 0, first_edge, last_edge, true});
-    if (last_edge - first_edge <= edges_in_leaf) return;
-    const std::int32_t middle = first_edge + (last_edge - first_edge) / 2;
-    build_run(first_edge, middle);
-    nodes_[node].right = static_cast<std::int32_t>(nodes_.size());
-    build_run(middle, last_edge);
+    nodes_.push_back({{}, 0, 0, first_edge, last_edge, true});
+    if (last_edge - first_edge > edges_in_leaf) {
+        const std::int32_t middle = first_edge + (last_edge - first_edge) / 2;
+        build_run(first_edge, middle);
+        nodes_[node].right = static_cast<std::int32_t>(nodes_.size());
+        build_run(middle, last_edge);
+    }
+    nodes_[node].after = static_cast<std::uint32_t>(nodes_.size());
 }
 
 Box BoundaryIndex::box_of_run(const Node& node) const {

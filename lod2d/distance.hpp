@@ -14,6 +14,9 @@ struct Pose {
     double angle = 0;         ///< [rad]
 };
 
+/// The point of the segment ab that is nearest to p.
+[[nodiscard]] Point nearest_on_segment(const Point& a, const Point& b, const Point& p);
+
 /// The boundary point that is nearest to a query.
 struct NearestPoint {
     Point point = {0, 0};
@@ -30,6 +33,7 @@ class BoundaryIndex {
     struct Node {
         Box box;
         std::int32_t right = 0;       ///< the second child; the first follows its parent. 0: a leaf
+        std::uint32_t after = 0;      ///< the node that follows this one and all below it
         std::int32_t first_edge = 0;  ///< of the run; undefined over several rings
         std::int32_t last_edge = 0;   ///< one past the run
         bool one_run = false;         ///< edges of one ring
@@ -73,5 +77,24 @@ class BoundaryIndex {
     std::vector<std::int32_t> ring_ends_;
     std::vector<Node> nodes_;  ///< depth first
 };
+
+/// Calls visit(edge) for every edge within `reach` of the point, ends included.
+template <typename Visit>
+void visit_edges_near(const BoundaryIndex& index, const Point& p, double reach, Visit&& visit) {
+    const auto nodes = index.nodes();
+    for (std::size_t at = 0; at < nodes.size();) {
+        const BoundaryIndex::Node& node = nodes[at];
+        if (node.box.squaredExteriorDistance(p) > reach * reach) {
+            at = node.after;
+            continue;
+        }
+        if (node.right == 0)
+            for (std::int32_t e = node.first_edge; e < node.last_edge; ++e)
+                if ((nearest_on_segment(index.edge_start(e), index.edge_end(e), p) - p)
+                        .squaredNorm() <= reach * reach)
+                    visit(e);
+        ++at;
+    }
+}
 
 }  // namespace lod2d

@@ -80,11 +80,7 @@ bool holds_a_ring(const BoundaryIndex& region, const BoundaryIndex& rings) {
 }
 
 Point foot_on(const BoundaryIndex& index, std::int32_t edge, const Point& p) {
-    const Point& a = index.edge_start(edge);
-    const Point along = index.edge_end(edge) - a;
-    const double length2 = along.squaredNorm();
-    const double t = length2 > 0 ? (p - a).dot(along) / length2 : 0;
-    return a + std::clamp(t, 0.0, 1.0) * along;
+    return nearest_on_segment(index.edge_start(edge), index.edge_end(edge), p);
 }
 
 /// Of edges that do not cross, the shortest way begins or ends at one of their four ends.
