@@ -1,0 +1,95 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/frame.hpp"
+
+namespace scenes {
+
+/// A vector of a scene file, world frame, SI units. In the plane the third entry is 0.
+using Triple = std::array<double, 3>;
+
+/// One body as a scene file describes it. World frame, SI units, radians.
+struct BodySpec {
+    std::string name;              ///< unique in its scene
+    std::string shape;             ///< as written: a file, "text:R", or a generator
+    std::filesystem::path file;    ///< where the shape is a file: its path; else empty
+    std::optional<double> size;    ///< longer side of the shape's box [m]; nothing: as drawn
+    double density = 1;            ///< [kg/m^2]
+    std::optional<double> mass;    ///< [kg]; overrides the density
+    bool is_static = false;        ///< never moves
+    Triple position{};             ///< of the centre of mass [m]
+    double angle = 0;              ///< [rad]; the file says degrees
+    Triple velocity{};             ///< of the centre of mass [m/s]
+    double spin = 0;               ///< [rad/s]
+    double restitution = 1;        ///< 0 to 1; a pair takes the smaller
+    std::string builder;           ///< of the tree; empty: the default builder
+    std::optional<int> branching;  ///< children of a node; nothing: the builder's default
+    std::optional<int> depth;      ///< levels below the root; nothing: the builder's default
+    std::string where;             ///< "file:line:column" of its entry, for messages
+};
+
+/// How far a frame refines. At most one of the three is set; none means to the leaves.
+struct Limits {
+    std::optional<int> level;                 ///< the last level that is tested
+    std::optional<std::uint64_t> node_tests;  ///< per frame
+    std::optional<double> milliseconds;       ///< per frame, on the clock
+};
+
+/// The part of the world that pictures show. World frame, metres.
+struct Camera {
+    Triple centre{};
+    double width = 0;  ///< > 0
+};
+
+/// A scene file as data. README.md in this folder documents every key of the file.
+struct Scene {
+    std::string name;
+    std::string title;  ///< a sentence for pictures
+    int dim = 2;
+    std::vector<BodySpec> bodies;
+    double time_step = 1.0 / 240;  ///< [s]
+    double duration = 2;           ///< [s]
+    Limits limits;
+    lod::Response response = lod::Response::net;
+    lod::PointModel point_model = lod::PointModel::radius_ratio;
+    lod::Priority priority = lod::Priority::closing_speed;
+    std::optional<Camera> camera;  ///< nothing: pictures frame all that moves
+
+    [[nodiscard]] int frames() const;  ///< steps that cover the duration, at least 1
+};
+
+/// Reads a scene file. A shape file is looked up in the folder of the scene and may not lie outside
+/// it. Throws lod::Error: input refused, with file, line, column and the mend, when the file cannot
+/// be read, is no TOML, has an unknown key or a value outside its range; limit exceeded when it is
+/// larger than a scene can be or has more than most_bodies bodies.
+[[nodiscard]] Scene load_scene(const std::filesystem::path& path);
+
+/// The same from memory; `path` is what messages call it and where shape files are looked up.
+[[nodiscard]] Scene parse_scene(std::string_view text, const std::filesystem::path& path);
+
+inline constexpr std::size_t most_bodies = 10'000;
+
+/// One key that the loader reads, as README.md documents it.
+struct KeyNote {
+    std::string section;  ///< "scene", "body" or "camera"
+    std::string name;
+    std::string unit;
+    std::string otherwise;  ///< the default
+};
+[[nodiscard]] std::vector<KeyNote> key_notes();
+
+/// Names of the choices, in the order of the enum: for keys, options and messages.
+inline constexpr std::array<std::string_view, 3> response_names{"net", "sum", "mean"};
+inline constexpr std::array<std::string_view, 2> point_model_names{"radius_ratio",
+                                                                   "plane_of_intersection"};
+inline constexpr std::array<std::string_view, 2> priority_names{"in_order", "closing_speed"};
+
+}  // namespace scenes
