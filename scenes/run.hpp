@@ -1,0 +1,95 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "scenes/scene.hpp"
+
+namespace scenes {
+
+/// Where a body is and how it moves. World frame, SI units.
+template <int Dim>
+struct State {
+    lod::Vector<Dim> position = lod::Vector<Dim>::Zero();
+    lod::Orientation<Dim> orientation = lod::Space<Dim>::unturned();
+    lod::Vector<Dim> velocity = lod::Vector<Dim>::Zero();
+    lod::Spin<Dim> spin = lod::Spin<Dim>::Zero();
+};
+template <int Dim>
+[[nodiscard]] State<Dim> state_of(const lod::Body<Dim>& body);
+template <int Dim>
+void put(const State<Dim>& state, lod::Body<Dim>& body);
+
+/// One frame of a run: the bodies as the frame found them, and what it did.
+template <int Dim>
+struct Step {
+    std::vector<State<Dim>> before;  ///< one a body, before response and motion
+    lod::FrameRecord<Dim> record;
+    std::optional<std::uint64_t> cut;  ///< node tests after which the budget ended the frame
+    std::uint64_t state_hash = 0;      ///< of the bodies after the frame
+    std::chrono::nanoseconds taken{};  ///< by the frame on the clock; 0 without one
+};
+
+/// A whole run. Step k begins at time k x time_step.
+template <int Dim>
+struct Run {
+    lod::FrameSettings settings;
+    std::vector<Step<Dim>> steps;
+    std::vector<State<Dim>> end;  ///< after the last step
+    std::uint64_t state_hash = 0;
+    double energy_start = 0;  ///< kinetic [J]
+    double energy_end = 0;
+    lod::Vector<Dim> momentum_start = lod::Vector<Dim>::Zero();  ///< [kg m/s]
+    lod::Vector<Dim> momentum_end = lod::Vector<Dim>::Zero();
+};
+
+/// How a run goes.
+struct RunOptions {
+    lod::FrameSettings settings;
+    int frames = 1;
+    Limits limits;
+    /// For `limits.milliseconds` (required there) and for the frames' times. It must outlive the
+    /// run.
+    const lod::Clock* clock = nullptr;
+    /// Replay: where each frame was cut, nothing for a frame that was not. Takes the place of
+    /// node_tests and milliseconds. Requires: empty or one entry a frame.
+    std::span<const std::optional<std::uint64_t>> cuts;
+    std::function<void(int done, int total)> progress;  ///< called after every frame
+};
+
+/// The time of the response that a deadline holds back for each contact: one contact's share of the
+/// net impulse on a processor of 2020, rounded up.
+inline constexpr std::chrono::nanoseconds response_time_of_a_contact{250};
+
+/// Runs the bodies for options.frames frames. The same bodies and options give the same bits,
+/// except with milliseconds; such a run has the cuts with which it can be replayed. Throws
+/// lod::Error (limit exceeded) when a body leaves the range that numbers and pictures hold, and
+/// lod::Interrupted when a signal asks to stop.
+template <int Dim>
+[[nodiscard]] Run<Dim> run(std::vector<lod::Body<Dim>> bodies, const RunOptions& options);
+
+/// The settings of a scene as the frames take them, `limits` instead of the scene's own.
+[[nodiscard]] lod::FrameSettings frame_settings(const Scene& scene, const Limits& limits);
+
+/// Numbers of a whole run, for reports.
+struct Summary {
+    std::uint64_t tests = 0;
+    std::uint64_t contacts = 0;  ///< handed to the response, over all frames
+    int interrupted_frames = 0;
+    /// Last finished level of the pairs whose nodes still overlapped there: those that the response
+    /// treated as colliding. All -1 when there was none.
+    int level_min = -1;
+    int level_median = -1;
+    int level_max = -1;
+    double frame_ms_median = 0;
+    double frame_ms_p99 = 0;
+    double frame_ms_max = 0;
+};
+template <int Dim>
+[[nodiscard]] Summary summarise(const Run<Dim>& run);
+
+}  // namespace scenes

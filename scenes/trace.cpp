@@ -1,0 +1,247 @@
+#include "scenes/trace.hpp"
+
+#include <bit>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+
+namespace scenes {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t most_bytes = 500'000'000;
+constexpr std::array<const char*, 3> verdict_names{"apart", "possible", "true"};
+
+class Fingerprint {
+  public:
+    void add(double number) {
+        const auto bits = std::bit_cast<std::uint64_t>(number);
+        for (int shift = 0; shift < 64; shift += 8) {
+            value_ ^= (bits >> shift) & 0xff;
+            value_ *= 1099511628211ULL;
+        }
+    }
+    void add(const std::vector<double>& numbers) {
+        for (double number : numbers) add(number);
+    }
+    void add(const std::vector<std::int32_t>& numbers) {
+        for (std::int32_t number : numbers) add(static_cast<double>(number));
+    }
+    template <class Derived>
+    void add(const Eigen::MatrixBase<Derived>& numbers) {
+        for (Eigen::Index i = 0; i < numbers.size(); ++i) add(numbers(i));
+    }
+    void add(const Eigen::Quaterniond& q) { add(q.coeffs()); }
+    [[nodiscard]] std::uint64_t value() const { return value_; }
+
+  private:
+    std::uint64_t value_ = 14695981039346656037ULL;
+};
+
+std::uint64_t from_hexadecimal(const std::string& text) {
+    std::uint64_t number = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number, 16);
+    if (result.ec != std::errc{} || result.ptr != text.data() + text.size())
+        throw std::invalid_argument("\"" + text + "\" is no hexadecimal number");
+    return number;
+}
+
+template <class Derived>
+void append(const Eigen::MatrixBase<Derived>& numbers, Json& list) {
+    for (Eigen::Index i = 0; i < numbers.size(); ++i) list.push_back(numbers(i));
+}
+void append(double number, Json& list) {
+    list.push_back(number);
+}
+void append(const Eigen::Quaterniond& q, Json& list) {
+    append(q.coeffs(), list);
+}
+
+template <class Numbers>
+Json array_of(const Numbers& numbers) {
+    Json list = Json::array();
+    append(numbers, list);
+    return list;
+}
+
+template <int Dim>
+Json states(const std::vector<State<Dim>>& all) {
+    Json list = Json::array();
+    for (const State<Dim>& state : all) {
+        Json numbers = Json::array();
+        append(state.position, numbers);
+        append(state.orientation, numbers);
+        append(state.velocity, numbers);
+        append(state.spin, numbers);
+        list.push_back(std::move(numbers));
+    }
+    return list;
+}
+
+template <int Dim>
+Json pairs(const lod::FrameRecord<Dim>& record) {
+    Json list = Json::array();
+    for (const lod::PairRecord& pair : record.pairs) {
+        Json contacts = Json::array();
+        for (std::int32_t k = 0; k < pair.contact_count; ++k) {
+            const auto c = static_cast<std::size_t>(pair.first_contact + k);
+            const lod::Contact<Dim>& contact = record.impacts[c].contact;
+            contacts.push_back({{"nodes", {record.node_pairs[c].a, record.node_pairs[c].b}},
+                                {"point", array_of(contact.point)},
+                                {"normal", array_of(contact.normal)},
+                                {"depth", contact.depth},
+                                {"impulse", record.impulses[c]}});
+        }
+        list.push_back({{"a", pair.bodies.a},
+                        {"b", pair.bodies.b},
+                        {"level", pair.level},
+                        {"verdict", verdict_names[static_cast<std::size_t>(pair.verdict)]},
+                        {"tests", pair.tests},
+                        {"contacts", std::move(contacts)}});
+    }
+    return list;
+}
+
+Json settings_json(const lod::FrameSettings& settings) {
+    return {{"time_step", settings.time_step},
+            {"deepest_level", settings.deepest_level},
+            {"response", response_names[static_cast<std::size_t>(settings.response)]},
+            {"point_model", point_model_names[static_cast<std::size_t>(settings.point_model)]},
+            {"priority", priority_names[static_cast<std::size_t>(settings.priority)]}};
+}
+
+template <class Choice, std::size_t n>
+Choice choice(const Json& json, const std::array<std::string_view, n>& names) {
+    const auto& name = json.get_ref<const std::string&>();
+    for (std::size_t i = 0; i < n; ++i)
+        if (names[i] == name) return static_cast<Choice>(i);
+    throw std::invalid_argument("\"" + name + "\" is no setting");
+}
+
+lod::FrameSettings settings_from(const Json& json) {
+    lod::FrameSettings settings;
+    settings.time_step = json.at("time_step").get<double>();
+    settings.deepest_level = json.at("deepest_level").get<int>();
+    settings.response = choice<lod::Response>(json.at("response"), response_names);
+    settings.point_model = choice<lod::PointModel>(json.at("point_model"), point_model_names);
+    settings.priority = choice<lod::Priority>(json.at("priority"), priority_names);
+    if (!(settings.time_step > 0 && settings.time_step <= 1))
+        throw std::invalid_argument("time_step is out of range");
+    return settings;
+}
+
+Trace trace_from(const Json& json) {
+    Trace trace;
+    if (json.at("lodlab_trace").get<int>() != trace_version)
+        throw std::invalid_argument("it has another version");
+    trace.scene = json.at("scene").get<std::string>();
+    trace.fingerprint = from_hexadecimal(json.at("fingerprint").get_ref<const std::string&>());
+    trace.settings = settings_from(json.at("settings"));
+    for (const Json& frame : json.at("frames")) {
+        const Json& cut = frame.at("cut");
+        trace.cuts.push_back(cut.is_null() ? std::nullopt
+                                           : std::optional(cut.get<std::uint64_t>()));
+        trace.state_hashes.push_back(
+            from_hexadecimal(frame.at("state_hash").get_ref<const std::string&>()));
+    }
+    if (trace.cuts.empty()) throw std::invalid_argument("it has no frames");
+    return trace;
+}
+
+}  // namespace
+
+std::string hexadecimal(std::uint64_t number) {
+    std::string text(16, '0');
+    for (std::size_t i = 0; i < text.size(); ++i)
+        text[i] = "0123456789abcdef"[(number >> (60 - 4 * i)) & 15];
+    return text;
+}
+
+template <int Dim>
+std::uint64_t fingerprint(std::span<const lod::Body<Dim>> bodies) {
+    Fingerprint all;
+    for (const lod::Body<Dim>& body : bodies) {
+        all.add(body.inverse_mass);
+        all.add(body.inertia);
+        all.add(body.restitution);
+        all.add(body.position);
+        all.add(body.orientation);
+        all.add(body.velocity);
+        all.add(body.spin);
+        for (const auto& axis : body.tree->centre) all.add(axis);
+        for (const auto& axis : body.tree->normal) all.add(axis);
+        all.add(body.tree->radius);
+        all.add(body.tree->child_count);
+    }
+    return all.value();
+}
+
+template <int Dim>
+void write_trace(const std::filesystem::path& path, const std::string& scene,
+                 std::span<const lod::Body<Dim>> bodies_at_start, const Run<Dim>& run) {
+    lod::OutputFile file(path);
+    const Json head = {{"lodlab_trace", trace_version},
+                       {"scene", scene},
+                       {"dim", Dim},
+                       {"fingerprint", hexadecimal(fingerprint(bodies_at_start))},
+                       {"settings", settings_json(run.settings)}};
+    std::string text = head.dump();
+    text.pop_back();  // the closing brace
+    file.write(text + ",\n\"frames\": [\n");
+    for (std::size_t k = 0; k < run.steps.size(); ++k) {
+        lod::check_interrupted();
+        const Step<Dim>& step = run.steps[k];
+        const Json frame = {{"cut", step.cut ? Json(*step.cut) : Json()},
+                            {"state_hash", hexadecimal(step.state_hash)},
+                            {"tests", step.record.tests},
+                            {"bodies", states(step.before)},
+                            {"pairs", pairs(step.record)}};
+        file.write(frame.dump() + (k + 1 < run.steps.size() ? ",\n" : "\n"));
+    }
+    file.write("],\n\"end\": " + Json({{"bodies", states(run.end)}}).dump() + "}\n");
+    file.commit();
+}
+
+Trace read_trace(const std::filesystem::path& path) {
+    const std::string text = lod::read_text_file(path, most_bytes);
+    try {
+        return trace_from(Json::parse(text));
+    } catch (const std::exception& error) {
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         path.string() + ": not a trace of lodlab: " + error.what() +
+                             "; write one with lodlab simulate --trace");
+    }
+}
+
+template <int Dim>
+Run<Dim> replay(const Trace& trace, std::vector<lod::Body<Dim>> bodies, RunOptions options) {
+    if (fingerprint(std::span<const lod::Body<Dim>>(bodies)) != trace.fingerprint)
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         "the scene is not the one of the trace (" + trace.scene +
+                             ", or it has been changed since); name the scene of the trace");
+    options.settings = trace.settings;
+    options.frames = static_cast<int>(trace.cuts.size());
+    options.limits = {};
+    options.cuts = trace.cuts;
+    Run<Dim> result = run(std::move(bodies), options);
+    for (std::size_t k = 0; k < result.steps.size(); ++k)
+        if (result.steps[k].state_hash != trace.state_hashes[k])
+            throw lod::Error(lod::ErrorKind::input_refused,
+                             "the replay differs from the trace from frame " + std::to_string(k) +
+                                 " on; the trace was edited or written by another version");
+    return result;
+}
+
+#define SCENES_INSTANTIATE(Dim)                                                  \
+    template std::uint64_t fingerprint(std::span<const lod::Body<Dim>>);         \
+    template void write_trace(const std::filesystem::path&, const std::string&,  \
+                              std::span<const lod::Body<Dim>>, const Run<Dim>&); \
+    template Run<Dim> replay(const Trace&, std::vector<lod::Body<Dim>>, RunOptions);
+SCENES_INSTANTIATE(2)
+SCENES_INSTANTIATE(3)
+#undef SCENES_INSTANTIATE
+
+}  // namespace scenes
