@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+/// What the command line said: one field for each row of the table of options (parse.cpp), shared
+/// by all commands. A command reads the fields of the options that it takes.
+struct Options {
+    std::string shape;          ///< a file, text:R, or a generator
+    std::string scene;          ///< a file, or the name of a scene that comes with lodlab
+    std::optional<int> number;  ///< of a figure or a lesson
+
+    bool json = false;
+    std::vector<std::string> out;
+    std::string theme = "light";
+    std::string quality = "720p";
+
+    std::optional<double> size;  ///< [m]
+    std::string builder;
+    std::optional<int> branching;
+    std::optional<int> depth;
+    bool list = false;
+
+    std::optional<int> level;
+    std::optional<std::uint64_t> budget;  ///< node tests a frame
+    std::optional<double> milliseconds;   ///< a frame
+
+    std::optional<double> at;        ///< [s]
+    std::optional<double> duration;  ///< [s]
+    std::string response;
+    std::string point_model;
+    std::string picture;  ///< of simulate: strip or plot
+    std::string trace;
+    std::string replay;
+    int most_frames = 100'000;
+    bool no_video = false;
+};
+
+}  // namespace cli

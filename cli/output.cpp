@@ -1,0 +1,41 @@
+#include "cli/output.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+
+namespace cli {
+
+void print(const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+        throw lod::Error(lod::ErrorKind::output_failed, std::string("cannot write the result: ") +
+                                                            std::strerror(errno) +
+                                                            "; send it elsewhere");
+}
+
+void print(const nlohmann::ordered_json& json) {
+    print(json.dump(2) + "\n");
+}
+
+void remark(const std::string& line) {
+    std::string text = line;
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    std::cerr << "lodlab: " << text << '\n';
+}
+
+std::string readable(double number) {
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number,
+                                   std::chars_format::general, 6)
+                         .ptr;
+    return {digits.data(), end};
+}
+
+}  // namespace cli

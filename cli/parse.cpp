@@ -1,0 +1,163 @@
+#include "cli/parse.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "scenes/scene.hpp"
+#include "scenes/spelling.hpp"
+
+namespace cli {
+namespace {
+
+[[noreturn]] void misused(const std::string& line) {
+    throw lod::Error(lod::ErrorKind::usage, line);
+}
+
+/// One of several words, with the nearest one named when none fits.
+CLI::Validator one_of(std::vector<std::string_view> words) {
+    const std::string all = scenes::listed(words);
+    return CLI::Validator(
+        [words, all](std::string& word) -> std::string {
+            if (std::find(words.begin(), words.end(), word) != words.end()) return {};
+            return word + " is none of " + all + scenes::did_you_mean(word, words);
+        },
+        all);
+}
+
+CLI::Validator range(double low, double high) {
+    return CLI::Range(low, high).description("");
+}
+
+/// A row of the table of options.
+struct Row {
+    std::string_view name;
+    void (*add)(CLI::App& app, Options& o);
+};
+
+constexpr double most_tests = 2'000'000'000;
+
+// clang-format off
+const Row rows[] = {
+    {"SHAPE", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg), text:R (font outlines), or a generator such as gear:9")->required(); }},
+    {"[SHAPE]", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg), text:R (font outlines), or a generator such as gear:9"); }},
+    {"SCENE", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), or the name of a scene that comes with lodlab")->required(); }},
+    {"FIGURE", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the figure in the paper")->required(); }},
+    {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the lesson; without it the lessons are listed"); }},
+    {"--list", [](CLI::App& a, Options& o) { a.add_flag("--list", o.list, "list generators and builders"); }},
+    {"--size", [](CLI::App& a, Options& o) { a.add_option("--size", o.size, "longer side of the shape's box [m]")->check(range(1e-6, 1e6)); }},
+    {"--builder", [](CLI::App& a, Options& o) { a.add_option("--builder", o.builder, "builder of the tree; tree --list names them"); }},
+    {"--branching", [](CLI::App& a, Options& o) { a.add_option("--branching", o.branching, "most children of a node")->check(range(2, 64)); }},
+    {"--depth", [](CLI::App& a, Options& o) { a.add_option("--depth", o.depth, "levels below the root")->check(range(0, 16)); }},
+    {"--level", [](CLI::App& a, Options& o) { a.add_option("--level", o.level, "the last level that is tested")->check(range(0, 1000)); }},
+    {"--budget", [](CLI::App& a, Options& o) { a.add_option("--budget", o.budget, "node tests a frame")->check(range(0, most_tests)); }},
+    {"--milliseconds", [](CLI::App& a, Options& o) { a.add_option("--milliseconds", o.milliseconds, "time for the collision handling of a frame [ms]")->check(range(0, 1e6)); }},
+    {"--at", [](CLI::App& a, Options& o) { a.add_option("--at", o.at, "the instant [s]; without it the first one in which leaves meet")->check(range(0, 3600)); }},
+    {"--duration", [](CLI::App& a, Options& o) { a.add_option("--duration", o.duration, "simulated time [s]")->check(range(1e-7, 3600)); }},
+    {"--response", [](CLI::App& a, Options& o) { a.add_option("--response", o.response, "how impulses combine")->check(one_of({scenes::response_names.begin(), scenes::response_names.end()})); }},
+    {"--point-model", [](CLI::App& a, Options& o) { a.add_option("--point-model", o.point_model, "where two circles touch")->check(one_of({scenes::point_model_names.begin(), scenes::point_model_names.end()})); }},
+    {"--strip", [](CLI::App& a, Options& o) { a.add_flag_callback("--strip", [&o] { o.picture = "strip"; }, "still pictures show the strip: start, collision, after (the default)"); }},
+    {"--plot", [](CLI::App& a, Options& o) { a.add_flag_callback("--plot", [&o] { o.picture = "plot"; }, "still pictures show energy and momentum over time"); }},
+    {"--out", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "write a file, its format by its ending; may be given several times")->type_name("FILE")->expected(1)->take_all(); }},
+    {"--folder", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "folder of the pages")->type_name("FOLDER")->expected(1)->required(); }},
+    {"--pictures", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "folder for the picture of each step")->type_name("FOLDER")->expected(1); }},
+    {"--trace", [](CLI::App& a, Options& o) { a.add_option("--trace", o.trace, "save the run so that it can be played again")->type_name("FILE"); }},
+    {"--replay", [](CLI::App& a, Options& o) { a.add_option("--replay", o.replay, "play a trace of this scene again, to the same bits")->type_name("FILE"); }},
+    {"--most-frames", [](CLI::App& a, Options& o) { a.add_option("--most-frames", o.most_frames, "limit of simulated frames")->check(range(1, 100'000'000))->capture_default_str(); }},
+    {"--no-video", [](CLI::App& a, Options& o) { a.add_flag("--no-video", o.no_video, "leave the videos out"); }},
+    {"--theme", [](CLI::App& a, Options& o) { a.add_option("--theme", o.theme, "ink and paper")->check(one_of({"light", "dark"}))->capture_default_str(); }},
+    {"--quality", [](CLI::App& a, Options& o) { a.add_option("--quality", o.quality, "size of pictures and videos")->check(one_of({"draft", "720p", "1080p", "4k"}))->capture_default_str(); }},
+    {"--json", [](CLI::App& a, Options& o) { a.add_flag("--json", o.json, "print the result for machines"); }},
+};
+// clang-format on
+
+std::vector<std::string> words_of(std::string_view text) {
+    std::istringstream in{std::string(text)};
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) words.push_back(word);
+    return words;
+}
+
+void add_options(const Command& command, CLI::App& app, Options& options) {
+    for (const std::string& name : words_of(command.options)) {
+        const auto row = std::find_if(std::begin(rows), std::end(rows),
+                                      [&](const Row& r) { return r.name == name; });
+        if (row == std::end(rows)) throw std::logic_error("no option " + name);
+        row->add(app, options);
+    }
+}
+
+/// CLI11 names what is wrong but not what was meant.
+void check_spelling(int argc, const char* const* argv) {
+    if (argc < 2) misused("no command given; lodlab --help lists all");
+    const std::string first = argv[1];
+    if (first.starts_with("-")) return;
+    std::vector<std::string_view> names;
+    for (const Command& command : commands()) names.push_back(command.name);
+    const auto command = std::find_if(commands().begin(), commands().end(),
+                                      [&](const Command& c) { return c.name == first; });
+    if (command == commands().end())
+        misused("unknown command " + first + scenes::did_you_mean(first, names) +
+                "; lodlab --help lists all");
+    std::vector<std::string> flags = flags_of(*command);
+    flags.emplace_back("--help");
+    const std::vector<std::string_view> known(flags.begin(), flags.end());
+    for (int i = 2; i < argc; ++i) {
+        const std::string word = argv[i];
+        const std::string flag = word.substr(0, word.find('='));
+        if (!flag.starts_with("--") || std::count(known.begin(), known.end(), flag) > 0) continue;
+        misused("unknown option " + flag + scenes::did_you_mean(flag, known) + "; lodlab " + first +
+                " --help lists all");
+    }
+}
+
+std::string one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> flags_of(const Command& command) {
+    std::vector<std::string> flags;
+    for (const std::string& name : words_of(command.options)) {
+        if (name == "--folder" || name == "--pictures")
+            flags.emplace_back("--out");
+        else if (name.starts_with("--"))
+            flags.push_back(name);
+    }
+    return flags;
+}
+
+Parsed parse(int argc, const char* const* argv) {
+    check_spelling(argc, argv);
+    Parsed parsed;
+    CLI::App app("lodlab: a laboratory for level-of-detail collision handling", "lodlab");
+    app.require_subcommand(1);
+    app.set_version_flag("--version", "lodlab " LODLAB_VERSION);
+    app.footer(
+        "Exit codes: 0 done, 2 usage, 3 input refused, 4 output failed, 5 limit exceeded,\n"
+        "6 something not installed, 130 or 143 stopped by a signal.\n"
+        "Example: lodlab figure 9 --out figure-9.png");
+    for (const Command& command : commands()) {
+        CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
+        sub->footer("Example: " + std::string(command.example));
+        add_options(command, *sub, parsed.options);
+        sub->callback([&parsed, &command] { parsed.command = &command; });
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& answer) {  // --help, --version
+        std::ostringstream text;
+        app.exit(answer, text, text);
+        parsed.text = text.str();
+    } catch (const CLI::ParseError& error) {
+        const std::string of = argv[1][0] != '-' ? std::string(argv[1]) + " " : "";
+        misused(one_line(error.what()) + "; lodlab " + of + "--help shows how");
+    }
+    return parsed;
+}
+
+}  // namespace cli

@@ -1,0 +1,86 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+#include "cli/staging.hpp"
+#include "core/error.hpp"
+#include "scenes/trace.hpp"
+
+namespace cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json or_null(int level) {
+    return level < 0 ? Json() : Json(level);
+}
+
+Json result_of(const scenes::Run<2>& run, const scenes::Summary& summary) {
+    return {{"frames", run.steps.size()},
+            {"state_hash", scenes::hexadecimal(run.state_hash)},
+            {"energy", {{"start", run.energy_start}, {"end", run.energy_end}}},
+            {"momentum",
+             {{"start", {run.momentum_start.x(), run.momentum_start.y()}},
+              {"end", {run.momentum_end.x(), run.momentum_end.y()}}}},
+            {"tests", summary.tests},
+            {"contacts", summary.contacts},
+            {"interrupted_frames", summary.interrupted_frames},
+            {"level_reached",
+             {{"min", or_null(summary.level_min)},
+              {"median", or_null(summary.level_median)},
+              {"max", or_null(summary.level_max)}}},
+            {"frame_ms",
+             {{"median", summary.frame_ms_median},
+              {"p99", summary.frame_ms_p99},
+              {"max", summary.frame_ms_max}}}};
+}
+
+std::string report_of(const scenes::Scene& scene, const scenes::Run<2>& run,
+                      const scenes::Summary& summary) {
+    std::string text = scene.name + ": " + std::to_string(run.steps.size()) + " frames of " +
+                       readable(run.settings.time_step * 1000) + " ms\n";
+    text += "  node tests " + std::to_string(summary.tests) + ", contacts " +
+            std::to_string(summary.contacts) + ", interrupted frames " +
+            std::to_string(summary.interrupted_frames) + "\n";
+    if (summary.level_max >= 0)
+        text += "  level reached by colliding pairs: " + std::to_string(summary.level_min) +
+                " to " + std::to_string(summary.level_max) + ", median " +
+                std::to_string(summary.level_median) + "\n";
+    text += "  kinetic energy " + readable(run.energy_start) + " J -> " + readable(run.energy_end) +
+            " J\n";
+    text += "  momentum (" + readable(run.momentum_start.x()) + ", " +
+            readable(run.momentum_start.y()) + ") -> (" + readable(run.momentum_end.x()) + ", " +
+            readable(run.momentum_end.y()) + ") kg m/s\n";
+    text += "  collision handling of a frame: median " + readable(summary.frame_ms_median) +
+            " ms, worst " + readable(summary.frame_ms_max) + " ms\n";
+    text += "  state hash " + scenes::hexadecimal(run.state_hash) + "\n";
+    return text;
+}
+
+void check_replay(const Options& options) {
+    const bool other = options.level || options.budget || options.milliseconds ||
+                       options.duration || !options.response.empty() ||
+                       !options.point_model.empty();
+    if (!options.replay.empty() && other)
+        throw lod::Error(lod::ErrorKind::usage,
+                         "a replay takes its limit, duration and models from the trace; drop "
+                         "the other options");
+}
+
+}  // namespace
+
+void run_simulate(const Options& options) {
+    check_replay(options);
+    const scenes::Setup setup = stage(options);
+    const scenes::Run<2> run =
+        options.replay.empty() ? play(setup, options, "Simulating") : play_again(setup, options);
+    if (!options.trace.empty())
+        scenes::write_trace<2>(options.trace, setup.scene.name, setup.bodies, run);
+    const scenes::Summary summary = scenes::summarise(run);
+    if (options.json)
+        print(result_of(run, summary));
+    else
+        print(report_of(setup.scene, run, summary));
+}
+
+}  // namespace cli

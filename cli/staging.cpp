@@ -1,0 +1,73 @@
+#include "cli/staging.hpp"
+
+#include <algorithm>
+
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "core/error.hpp"
+#include "scenes/places.hpp"
+#include "scenes/trace.hpp"
+
+namespace cli {
+namespace {
+
+template <class Choice, std::size_t n>
+void override_choice(const std::string& name, const std::array<std::string_view, n>& names,
+                     Choice& choice) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) choice = static_cast<Choice>(found - names.begin());
+}
+
+void override_limits(const Options& options, scenes::Limits& limits) {
+    const int given =
+        (options.level ? 1 : 0) + (options.budget ? 1 : 0) + (options.milliseconds ? 1 : 0);
+    if (given > 1)
+        throw lod::Error(lod::ErrorKind::usage,
+                         "--level, --budget and --milliseconds exclude each other; give one");
+    if (given == 1) limits = {options.level, options.budget, options.milliseconds};
+}
+
+const lod::Clock& steady_clock() {
+    static const lod::SteadyClock clock;
+    return clock;
+}
+
+}  // namespace
+
+scenes::Setup stage(const Options& options) {
+    scenes::Scene scene = scenes::load_scene(scenes::scene_file(options.scene));
+    override_limits(options, scene.limits);
+    override_choice(options.response, scenes::response_names, scene.response);
+    override_choice(options.point_model, scenes::point_model_names, scene.point_model);
+    if (options.duration) scene.duration = *options.duration;
+    scenes::Setup setup = scenes::set_up(scene);
+    for (const std::string& warning : setup.warnings) remark(warning);
+    return setup;
+}
+
+scenes::Run<2> play(const scenes::Setup& setup, const Options& options, const std::string& label) {
+    const scenes::Scene& scene = setup.scene;
+    if (scene.frames() > options.most_frames)
+        throw lod::Error(lod::ErrorKind::limit_exceeded,
+                         std::to_string(scene.frames()) + " frames, the limit is " +
+                             std::to_string(options.most_frames) +
+                             "; shorten the duration or raise it by --most-frames");
+    ProgressBar bar(label);
+    scenes::RunOptions run;
+    run.settings = scenes::frame_settings(scene, scene.limits);
+    run.frames = scene.frames();
+    run.limits = scene.limits;
+    run.clock = &steady_clock();
+    run.progress = [&](int done, int total) { bar.show(static_cast<double>(done) / total); };
+    return scenes::run(setup.bodies, run);
+}
+
+scenes::Run<2> play_again(const scenes::Setup& setup, const Options& options) {
+    ProgressBar bar("Playing again");
+    scenes::RunOptions run;
+    run.clock = &steady_clock();
+    run.progress = [&](int done, int total) { bar.show(static_cast<double>(done) / total); };
+    return scenes::replay(scenes::read_trace(options.replay), setup.bodies, run);
+}
+
+}  // namespace cli
