@@ -31,10 +31,7 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-}  // namespace
-
-TEST_CASE("every key of a scene file arrives in its field") {
-    const scenes::Scene scene = parsed(R"(
+constexpr const char* every_key = R"(
 name = "n"
 title = "A sentence"
 dim = 2
@@ -69,7 +66,12 @@ depth = 6
 shape = "text:R"
 density = 8
 static = true
-)");
+)";
+
+}  // namespace
+
+TEST_CASE("every key of the scene arrives in its field") {
+    const scenes::Scene scene = parsed(every_key);
     CHECK(scene.name == "n");
     CHECK(scene.title == "A sentence");
     CHECK(scene.dim == 2);
@@ -83,7 +85,10 @@ static = true
     REQUIRE(scene.camera);
     CHECK(scene.camera->centre == scenes::Triple{1, 2, 0});
     CHECK(scene.camera->width == 3);
+}
 
+TEST_CASE("every key of a body arrives in its field") {
+    const scenes::Scene scene = parsed(every_key);
     REQUIRE(scene.bodies.size() == 2);
     const scenes::BodySpec& first = scene.bodies[0];
     CHECK(first.name == "first");
