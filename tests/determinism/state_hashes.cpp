@@ -125,7 +125,10 @@ int main(int count, char** arguments) {
     std::stringstream expected;
     expected << std::ifstream(arguments[1]).rdbuf();
     if (expected.str() == report.lines()) return 0;
-    std::printf("%s says\n%sbut this build gives\n%s", arguments[1], expected.str().c_str(),
-                report.lines().c_str());
+    std::printf(
+        "%s says\n%sbut this build gives\n%s"
+        "Where the change is meant, write these there: state_hashes > "
+        "tests/determinism/hashes.txt\n",
+        arguments[1], expected.str().c_str(), report.lines().c_str());
     return 1;
 }
