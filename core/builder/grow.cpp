@@ -1,0 +1,26 @@
+#include "core/builder/grow.hpp"
+
+#include <cmath>
+
+namespace lod {
+
+void check_grow_settings(const GrowSettings& settings) {
+    constexpr double most_leaves = 1048576;
+    const auto refuse = [](const std::string& what, const std::string& range) {
+        throw Error(ErrorKind::limit_exceeded,
+                    "cannot build the tree: " + what + " is out of range; choose " + range);
+    };
+    const std::string branching = std::to_string(settings.branching);
+    const std::string depth = std::to_string(settings.depth);
+    if (settings.branching < 2 || settings.branching > 64)
+        refuse("branching " + branching, "2 to 64 children a node");
+    if (settings.depth < 0 || settings.depth > 12)
+        refuse("depth " + depth, "0 to 12 levels below the root");
+    if (std::pow(settings.branching, settings.depth) > most_leaves)
+        refuse("branching " + branching + " with depth " + depth,
+               "fewer than 1048576 leaves in all, for instance branching 4 with depth 10");
+    if (!(settings.least_protrusion >= 0))
+        refuse("the least protrusion", "a length of 0 m or more");
+}
+
+}  // namespace lod

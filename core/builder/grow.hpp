@@ -1,0 +1,203 @@
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/builder/enclosing_ball.hpp"
+#include "core/builder/piece.hpp"
+#include "core/error.hpp"
+#include "core/tree.hpp"
+
+namespace lod {
+
+struct GrowSettings {
+    int branching = 4;  ///< most children of a node, 2 to 64
+    int depth = 4;      ///< levels below the root, 0 to 12; branching^depth is at most 1048576
+    /// A node that stands out of the shape by no more is not divided further [m].
+    double least_protrusion = 0;
+    int most_rounds = 12;      ///< of splitting and fitting again, for each start
+    double least_gain = 0.01;  ///< a round that improves by a smaller share is the last
+    /// Called with the share of the work done, 0 to 1, never decreasing.
+    std::function<void(double)> progress{};
+};
+
+/// Throws Error (limit exceeded) where branching or depth are out of range.
+void check_grow_settings(const GrowSettings& settings);
+
+/// What a kind of shape knows about dividing its pieces well.
+template <class Strategy, int Dim, class Piece>
+concept GrowStrategy = requires(const Strategy strategy, const Piece piece,
+                                const Sphere<Dim> ball) {
+    /// Starts for dividing a piece, which the ball holds, into so many parts; the best will be
+    /// kept.
+    { strategy.starts(piece, ball, int{}) } -> std::same_as<std::vector<std::vector<Sphere<Dim>>>>;
+    /// A ball that holds the piece with rounding_bound to spare, near `ball` if that is good; if
+    /// `ball` holds the piece, the result stands out of the shape no more than it does.
+    { strategy.fit(piece, ball) } -> std::same_as<Sphere<Dim>>;
+    /// How far a ball stands out of the shape [m].
+    { strategy.protrusion(ball) } -> std::convertible_to<double>;
+};
+
+namespace detail {
+
+/// What a ball is fitted for: a small radius, or standing out of the shape little.
+enum class Aim { small, close };
+
+/// Balls that together hold a piece.
+template <int Dim>
+struct Cover {
+    std::vector<Sphere<Dim>> balls;
+    double worst =
+        std::numeric_limits<double>::infinity();  ///< what was aimed at, of the worst ball
+};
+
+template <int Dim, PieceOf<Dim> Piece, GrowStrategy<Dim, Piece> Strategy>
+class Grower {
+  public:
+    Grower(const Strategy& strategy, const GrowSettings& settings)
+        : strategy_(strategy), settings_(settings) {
+        for (int level = 0; level <= settings.depth; ++level)
+            work_below_.push_back(level == 0 ? 1 : 1 + settings.branching * work_below_.back());
+    }
+
+    std::vector<TreeNode<Dim>> run(const Piece& whole, const Sphere<Dim>& root) {
+        nodes_.push_back({root, mean_normal<Dim>(whole), {}});
+        margin_ = rounding_bound(root) / 2;
+        divide(0, whole, settings_.depth);
+        return std::move(nodes_);
+    }
+
+  private:
+    void divide(std::size_t node, const Piece& owned, int levels_left) {
+        check_interrupted();
+        const Sphere<Dim> ball = nodes_[node].sphere;
+        const bool fine = strategy_.protrusion(ball) <= settings_.least_protrusion;
+        if (levels_left == 0 || fine) return report(work_below_[as_index(levels_left)]);
+        report(1);
+        Cover<Dim> cover = best_cover(owned, ball);
+        const std::vector<Piece> pieces = settled_pieces(owned, cover);
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const std::size_t child = nodes_.size();
+            nodes_[node].children.push_back(static_cast<int>(child));
+            nodes_.push_back({cover.balls[i], mean_normal<Dim>(pieces[i]), {}});
+            divide(child, pieces[i], levels_left - 1);
+        }
+        report((settings_.branching - static_cast<double>(pieces.size())) *
+               work_below_[as_index(levels_left - 1)]);
+    }
+
+    /// The cover whose worst ball stands out least, if that is a good step on from the parent. A
+    /// ball over a pocket may stand out no more than smaller balls would; then the cover of the
+    /// smallest balls is better, since it parts what the next levels have to hold.
+    Cover<Dim> best_cover(const Piece& owned, const Sphere<Dim>& ball) const {
+        const double good = 0.75 * strategy_.protrusion(ball);
+        Cover<Dim> best;
+        Cover<Dim> smallest;
+        for (const auto& start : strategy_.starts(owned, ball, settings_.branching)) {
+            Cover<Dim> small = improved(owned, start, Aim::small);
+            Cover<Dim> close = improved(owned, small.balls, Aim::close);
+            if (close.worst < best.worst) best = std::move(close);
+            if (small.worst < smallest.worst) smallest = std::move(small);
+        }
+        return best.worst <= good ? best : smallest;
+    }
+
+    /// Splits and fits again while that pays, as Lloyd's method does. It cannot get worse: a ball
+    /// of the last round holds its new piece, since each point lies in the ball of its power cell.
+    Cover<Dim> improved(const Piece& owned, const std::vector<Sphere<Dim>>& start, Aim aim) const {
+        Cover<Dim> cover = fitted(owned, start, aim);
+        for (int round = 1; round < settings_.most_rounds; ++round) {
+            Cover<Dim> next = fitted(owned, cover.balls, aim);
+            const bool pays = next.worst < cover.worst * (1 - settings_.least_gain);
+            if (next.worst < cover.worst) cover = std::move(next);
+            if (!pays) break;
+        }
+        return cover;
+    }
+
+    Cover<Dim> fitted(const Piece& owned, const std::vector<Sphere<Dim>>& start, Aim aim) const {
+        Cover<Dim> cover{{}, 0};
+        for (std::size_t i = 0; i < start.size(); ++i) {
+            const Piece part = owned.within(power_cell<Dim>(start, i));
+            if (part.vertices().empty()) continue;
+            Sphere<Dim> ball;
+            if (aim == Aim::small) {
+                ball = enclosing_ball<Dim>(part.vertices());
+                ball.radius += 2 * margin_;
+            } else {
+                ball = strategy_.fit(part, start[i]);
+            }
+            cover.balls.push_back(ball);
+            const double cost = aim == Aim::small ? ball.radius : strategy_.protrusion(ball);
+            cover.worst = std::max(cover.worst, cost);
+        }
+        return cover;
+    }
+
+    /// The pieces of the cover's own power cells; balls without a piece go. Beside a much smaller
+    /// ball a cell may hold a vertex with less to spare than rounding asks for. Then the ball grows
+    /// by a hair, twice as much each time, and the cells are made again; at the latest it ends when
+    /// the ball has swallowed the small one.
+    std::vector<Piece> settled_pieces(const Piece& owned, Cover<Dim>& cover) const {
+        constexpr int most_tries = 64;
+        double hair = margin_;
+        for (int attempt = 0; attempt < most_tries; ++attempt, hair *= 2) {
+            std::vector<Piece> pieces =
+                split<Dim>(owned, std::span<const Sphere<Dim>>(cover.balls));
+            bool held = true;
+            for (std::size_t i = pieces.size(); i-- > 0;) {
+                Sphere<Dim>& ball = cover.balls[i];
+                if (pieces[i].vertices().empty()) {
+                    pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+                    cover.balls.erase(cover.balls.begin() + static_cast<std::ptrdiff_t>(i));
+                    continue;
+                }
+                const double reach = farthest_distance<Dim>(ball.centre, pieces[i].vertices());
+                if (reach <= ball.radius - margin_) continue;
+                held = false;
+                ball.radius = std::max(ball.radius, reach + margin_) + hair;
+            }
+            if (held) return pieces;
+        }
+        throw Error(ErrorKind::input_refused,
+                    "cannot build the tree: rounding keeps a piece of radius " +
+                        std::to_string(enclosing_ball<Dim>(owned.vertices()).radius) +
+                        " m from being covered; choose a smaller depth");
+    }
+
+    void report(double work) {
+        done_ += work;
+        if (settings_.progress) settings_.progress(std::min(1.0, done_ / work_below_.back()));
+    }
+
+    static std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
+
+    const Strategy& strategy_;
+    const GrowSettings& settings_;
+    std::vector<TreeNode<Dim>> nodes_;
+    std::vector<double> work_below_;  ///< by levels left: nodes of a full tree
+    double margin_ = 0;
+    double done_ = 0;
+};
+
+}  // namespace detail
+
+/// Grows a tree from the top: each node's piece is divided among its children by the power diagram
+/// of their balls (METHOD.md, "Coverage, exactly"), from several starts, each improved by Lloyd's
+/// rounds; the division whose worst ball stands out of the shape least is kept. Deterministic.
+/// Requires that `root` holds the whole with rounding_bound(root) to spare, and settings in range
+/// (otherwise throws Error, limit exceeded). The trees pass `certify`.
+template <int Dim, PieceOf<Dim> Piece, GrowStrategy<Dim, Piece> Strategy>
+[[nodiscard]] SphereTree<Dim> grow_tree(const Piece& whole, const Sphere<Dim>& root,
+                                        const Strategy& strategy, const GrowSettings& settings) {
+    check_grow_settings(settings);
+    detail::Grower<Dim, Piece, Strategy> grower(strategy, settings);
+    return lay_out<Dim>(grower.run(whole, root));
+}
+
+}  // namespace lod
