@@ -1,0 +1,75 @@
+#include "lod2d/build_tree.hpp"
+
+#include <array>
+#include <string>
+
+#include "core/builder/certify.hpp"
+#include "core/error.hpp"
+#include "lod2d/distance.hpp"
+#include "lod2d/pieces.hpp"
+#include "lod2d/quadtree.hpp"
+
+namespace lod2d {
+namespace {
+
+constexpr std::array<Builder, 3> all_builders{Builder::quadtree, Builder::pieces, Builder::medial};
+
+lod::SphereTree<2> built(const Shape& shape, const PolygonPiece& whole,
+                         const TreeSettings& settings) {
+    switch (settings.builder) {
+        case Builder::quadtree:
+            if (settings.branching != 4)
+                throw lod::Error(lod::ErrorKind::usage,
+                                 "a quadtree has branching 4; choose that or another builder");
+            return build_quadtree(whole, {settings.depth, settings.progress});
+        case Builder::pieces:
+        case Builder::medial: {
+            const BoundaryIndex index(shape.polygon);
+            PiecesConfig config;
+            config.branching = settings.branching;
+            config.depth = settings.depth;
+            config.least_protrusion = settings.least_protrusion;
+            config.progress = settings.progress;
+            return build_pieces(whole, index, config);
+        }
+    }
+    throw lod::Error(lod::ErrorKind::usage, "there is no such builder of circle trees");
+}
+
+}  // namespace
+
+std::span<const Builder> builders() {
+    return all_builders;
+}
+
+std::string_view builder_name(Builder builder) {
+    switch (builder) {
+        case Builder::quadtree:
+            return "quadtree";
+        case Builder::pieces:
+            return "pieces";
+        case Builder::medial:
+            return "medial";
+    }
+    return "?";
+}
+
+Builder builder_named(std::string_view name) {
+    for (const Builder builder : all_builders)
+        if (name == builder_name(builder)) return builder;
+    throw lod::Error(lod::ErrorKind::usage, "no builder is called \"" + std::string(name) +
+                                                "\"; choose quadtree, pieces or medial");
+}
+
+lod::SphereTree<2> build_tree(const Shape& shape, const TreeSettings& settings) {
+    const PolygonPiece whole(shape.polygon);
+    lod::SphereTree<2> tree = built(shape, whole, settings);
+    if (!lod::certify<2>(tree, whole).back().certified)
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         "the circle tree of " + shape.name +
+                             " does not cover it to within rounding; simplify the outline or "
+                             "choose a smaller depth");
+    return tree;
+}
+
+}  // namespace lod2d

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "core/sphere.hpp"
+#include "lod2d/distance.hpp"
+#include "lod2d/piece.hpp"
+
+namespace lod2d {
+
+/// Corners of the convex hull, anticlockwise; all points where they are fewer than three.
+[[nodiscard]] std::vector<Point> convex_hull(std::span<const Point> points);
+
+/// Fits discs to pieces so that they stand out of the shape as little as can be.
+class DiscFit {
+  public:
+    /// The index must outlive this. A disc holds its piece with `spare` left [m].
+    DiscFit(const BoundaryIndex& shape, double spare) : shape_(shape), spare_(spare) {}
+
+    /// A disc that holds the piece's vertices. Of the starting disc's centre and the centre of the
+    /// least enclosing disc it takes the better and walks downhill: about a centre x the disc needs
+    /// the radius R(x), the farthest vertex, and stands out by R(x) - depth(x) at most.
+    [[nodiscard]] lod::Sphere<2> fit(const PolygonPiece& piece, const lod::Sphere<2>& start) const;
+
+    /// How far a disc stands out, from above, within a twentieth.
+    [[nodiscard]] double protrusion(const lod::Sphere<2>& disc) const;
+
+    [[nodiscard]] const BoundaryIndex& shape() const { return shape_; }
+
+  private:
+    const BoundaryIndex& shape_;
+    double spare_;
+};
+
+}  // namespace lod2d
