@@ -6,6 +6,12 @@
 
 namespace viz {
 
+Mark::Mark(const Mark& other) = default;
+Mark::Mark(Mark&& other) noexcept = default;
+Mark& Mark::operator=(const Mark& other) = default;
+Mark& Mark::operator=(Mark&& other) noexcept = default;
+Mark::~Mark() = default;
+
 const char* role_name(Role role) {
     switch (role) {
         case Role::body:
@@ -16,6 +22,8 @@ const char* role_name(Role role) {
             return "ghost";
         case Role::node:
             return "node";
+        case Role::level_node:
+            return "level_node";
         case Role::meeting_node:
             return "meeting_node";
         case Role::true_collision:

@@ -23,6 +23,7 @@ enum class Role {
     wall,            ///< a body that no impulse moves
     ghost,           ///< outline of a body at an earlier time, in the body's ink
     node,            ///< a node that does not go on
+    level_node,      ///< a node of the level that a picture shows, in its body's ink
     meeting_node,    ///< a node that intersects one of the other body: bold, in its body's ink
     true_collision,  ///< a leaf that intersects a leaf: doubled, so that grey print shows it
     contact,         ///< contact point
@@ -55,10 +56,11 @@ struct Disc {
     double radius = 0;
 };
 
-/// A dot of constant size on the page.
+/// A dot of constant size on the page; `size` 1 is the usual one.
 struct Dot {
     Style style;
     Point at;
+    double size = 1;  ///< 0.2 to 3
 };
 
 /// A region bounded by rings, holes by the even-odd rule.
@@ -94,7 +96,17 @@ struct Label {
     double clearance = 0;
 };
 
-using Mark = std::variant<Disc, Dot, Path, Polyline, Arrow, Label>;
+using AnyMark = std::variant<Disc, Dot, Path, Polyline, Arrow, Label>;
+
+/// Any of the marks. Copied and moved out of line: g++ 12 warns falsely where it inlines them.
+struct Mark : AnyMark {
+    using AnyMark::AnyMark;
+    Mark(const Mark& other);
+    Mark(Mark&& other) noexcept;
+    Mark& operator=(const Mark& other);
+    Mark& operator=(Mark&& other) noexcept;
+    ~Mark();
+};
 
 /// A box of the panel's coordinates.
 struct Box {
@@ -162,7 +174,7 @@ struct Figure {
 
 /// A figure held for a number of frames.
 struct Shot {
-    std::function<Figure()> draw;  ///< called once, when its turn comes
+    std::function<Figure()> draw;  ///< called when its turn comes, perhaps twice
     int frames = 1;                ///< >= 1
 };
 

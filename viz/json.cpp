@@ -62,7 +62,7 @@ void put(ordered_json& mark, const Label& label) {
 
 ordered_json data(const Mark& mark) {
     ordered_json json;
-    std::visit([&](const auto& held) { put(json, held); }, mark);
+    std::visit([&](const auto& held) { put(json, held); }, static_cast<const AnyMark&>(mark));
     const Style& style =
         std::visit([](const auto& held) -> const Style& { return held.style; }, mark);
     json["role"] = role_name(style.role);

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "lod2d/overlap.hpp"
+
 namespace viz {
 namespace {
 
@@ -25,7 +27,31 @@ void take_in(Box& box, const Look& look, const lod::Body<2>& body) {
     }
 }
 
+lod2d::BoundaryIndex world_boundary(const Actor& actor) {
+    lod2d::Polygon polygon;
+    for (const Ring& ring : carried(actor.body, actor.look.rings)) {
+        lod2d::Ring points;
+        for (const Point& p : ring) points.emplace_back(p.x, p.y);
+        polygon.rings.push_back(std::move(points));
+    }
+    return lod2d::BoundaryIndex(polygon);
+}
+
 }  // namespace
+
+Look look_of(const lod2d::Shape& shape) {
+    Look look{shape.name, {}};
+    for (const lod2d::Ring& ring : shape.polygon.rings) {
+        look.rings.emplace_back();
+        for (const lod2d::Point& p : ring) look.rings.back().push_back({p.x(), p.y()});
+    }
+    return look;
+}
+
+double gap(const Actor& a, const Actor& b) {
+    if (a.look.rings.empty() || b.look.rings.empty()) return -1;
+    return lod2d::distance(world_boundary(a), world_boundary(b));
+}
 
 void add_instant(Run& run, std::vector<lod::Body<2>> bodies_before,
                  const lod::FrameRecord<2>& record) {

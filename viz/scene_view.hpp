@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/frame.hpp"
+#include "lod2d/shape.hpp"
 #include "viz/figure.hpp"
 
 namespace viz {
@@ -13,6 +14,9 @@ struct Look {
     std::string name;         ///< what the reader calls it; used in alt texts and labels
     std::vector<Ring> rings;  ///< outline with holes, body frame [m]; empty: its leaves are drawn
 };
+
+/// The outline of a shape under its name.
+[[nodiscard]] Look look_of(const lod2d::Shape& shape);
 
 /// A body as a picture needs it. Requires: body.tree is there.
 struct Actor {
@@ -53,6 +57,10 @@ void add_instant(Run& run, std::vector<lod::Body<2>> bodies_before,
 [[nodiscard]] Box bounds(const std::vector<Look>& looks, const std::vector<lod::Body<2>>& bodies);
 [[nodiscard]] Box united(const Box& a, const Box& b);
 [[nodiscard]] Box grown(const Box& box, double share);  ///< by that share of its larger side
+
+/// The distance between the outlines of two bodies [m]: 0 where they overlap, negative where one of
+/// them has no outline.
+[[nodiscard]] double gap(const Actor& a, const Actor& b);
 
 /// First instant whose record has an impulse, or -1.
 [[nodiscard]] int first_impact(const Run& run);

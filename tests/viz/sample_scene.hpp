@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lod2d/build_tree.hpp"
+#include "lod2d/generators.hpp"
+#include "viz/scene_view.hpp"
+
+namespace sample {
+
+/// A body with the density 1 and a tree of so many levels below the root.
+inline viz::Actor actor(const std::string& spec, double x, double y, double angle, int depth = 4) {
+    const lod2d::Shape shape = lod2d::generate(spec);
+    viz::Actor actor{viz::look_of(shape), {}};
+    lod::set_mass<2>(actor.body, shape.area, lod::Inertia<2>::Constant(shape.second_moment));
+    actor.body.tree = std::make_shared<lod::SphereTree<2>>(
+        lod2d::build_tree(shape, {.branching = 4, .depth = depth}));
+    actor.body.position = {x, y};
+    actor.body.orientation = angle;
+    return actor;
+}
+
+}  // namespace sample
