@@ -83,13 +83,14 @@ struct Space {
 
     /// Into how many steps free_turn must be split so that its iteration settles (it contracts by a
     /// factor of 4 a round); at most 1000.
-    static int free_turn_steps(const Inertia& inertia, const Inertia& inverse_inertia,
-                               const Spin& spin, double h) {
+    static int free_turn_steps(const Matrix& rotation, const Inertia& inertia,
+                               const Inertia& inverse_inertia, const Spin& spin, double h) {
         if constexpr (Dim == 2) {
             return 1;
         } else {
             constexpr double most_steps = 1000;
-            const double turn = h * inertia.norm() * inverse_inertia.norm() * spin.norm();
+            const Spin momentum = inertia * (rotation.transpose() * spin);
+            const double turn = h * inverse_inertia.norm() * momentum.norm();
             return turn > 0.5 ? static_cast<int>(std::min(std::ceil(2 * turn), most_steps)) : 1;
         }
     }

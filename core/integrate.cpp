@@ -8,7 +8,8 @@ void integrate(std::span<Body<Dim>> bodies, double h) {
         if (body.is_static()) continue;
         body.position += h * body.velocity;
         const int steps =
-            Space<Dim>::free_turn_steps(body.inertia, body.inverse_inertia, body.spin, h);
+            Space<Dim>::free_turn_steps(Space<Dim>::rotation(body.orientation), body.inertia,
+                                        body.inverse_inertia, body.spin, h);
         for (int step = 0; step < steps; ++step) {
             const auto [turn, spin] =
                 Space<Dim>::free_turn(Space<Dim>::rotation(body.orientation), body.inertia,

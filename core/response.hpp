@@ -52,7 +52,10 @@ void apply_impulse(Body<Dim>& a, Body<Dim>& b, const Contact<Dim>& contact, doub
 /// closing velocities u_i < 0 of the approaching contacts and the coupling A_ik, the direction is
 /// d_i = -u_i / A_ii and the impulse j = s d with s = -(1 + e)(d.u) / (d^T A d), so that kinetic
 /// energy changes by exactly -(1 - e^2)/2 (d.u)^2 / (d^T A d). Repeated while contacts approach
-/// (at most most_net_rounds), then single impulses in turn (at most most_sequential_sweeps).
+/// (at most most_net_rounds), then single impulses in turn (at most most_sequential_sweeps): an
+/// elastic pair whose normals face each other within some 45 degrees takes 8 rounds at the very
+/// most, an inelastic one nears its end geometrically. Contacts that contradict each other, as
+/// where two bodies hook into each other, may go on approaching after that.
 /// d^T A d is found from the net impulses on the bodies: linear in the contacts.
 ///
 /// A resolver keeps its storage: a warm call allocates nothing.
@@ -61,8 +64,8 @@ class Resolver {
   public:
     static constexpr int most_net_rounds = 32;
     static constexpr int most_sequential_sweeps = 64;
-    /// After the first round a contact counts as approaching only beyond this share of the
-    /// largest closing speed that the island began with.
+    /// A contact counts as approaching only beyond this share of the largest closing speed that the
+    /// island began with.
     static constexpr double settled_share = 1e-12;
 
     void resolve(Response response, std::span<const Impact<Dim>> impacts,
