@@ -8,18 +8,19 @@ import pathlib
 import re
 import sys
 
-LIBRARIES = ["core", "lod2d", "lod3d", "scenes", "viz", "lessons", "cli"]
+LIBRARIES = ["core", "io", "lod2d", "lod3d", "scenes", "viz", "lessons", "cli"]
 
 # Includes run one way: a folder may include itself and these.
 MAY_INCLUDE = {
     "core": [],
-    "lod2d": ["core"],
-    "lod3d": ["core"],
-    "scenes": ["core", "lod2d", "lod3d"],
-    "viz": ["core", "lod2d", "lod3d"],
-    "lessons": ["core", "lod2d", "lod3d", "scenes", "viz"],
-    "cli": ["core", "lod2d", "lod3d", "scenes", "viz", "lessons"],
-    "examples": ["core", "lod2d", "lod3d", "scenes", "viz", "lessons"],
+    "io": ["core"],
+    "lod2d": ["core", "io"],
+    "lod3d": ["core", "io"],
+    "scenes": ["core", "io", "lod2d", "lod3d"],
+    "viz": ["core", "io", "lod2d", "lod3d"],
+    "lessons": ["core", "io", "lod2d", "lod3d", "scenes", "viz"],
+    "cli": ["core", "io", "lod2d", "lod3d", "scenes", "viz", "lessons"],
+    "examples": ["core", "io", "lod2d", "lod3d", "scenes", "viz", "lessons"],
     "tests": LIBRARIES,
     "bench": LIBRARIES,
 }

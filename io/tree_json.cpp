@@ -1,0 +1,202 @@
+#include "io/tree_json.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+
+namespace io {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* format_name = "lodlab tree";
+constexpr int format_version = 1;
+
+void append(std::string& text, double value) {
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    const std::string_view number(digits, static_cast<std::size_t>(end - digits));
+    text += number == "-0" ? "-0.0" : number;  // "-0" would be read as the whole number 0
+}
+
+template <std::size_t Size>
+void append(std::string& text, const std::array<std::vector<double>, Size>& columns,
+            std::size_t row) {
+    text += '[';
+    for (std::size_t d = 0; d < Size; ++d) {
+        if (d > 0) text += ", ";
+        append(text, columns[d][row]);
+    }
+    text += ']';
+}
+
+/// Reads one tree; knows where it is, for errors.
+class Reader {
+  public:
+    Reader(std::string source, int dim) : source_(std::move(source)), dim_(dim) {}
+
+    [[noreturn]] void refuse(const std::string& where, const std::string& why) const {
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         source_ + ": " + where + why + "; save the tree again with lodlab");
+    }
+
+    json parsed(std::string_view text) const {
+        try {
+            return json::parse(text);
+        } catch (const json::exception& e) {
+            // "[json.exception.parse_error.101] parse error at line 1, column 5: ..."
+            const std::string why = e.what();
+            refuse("",
+                   "not JSON: " +
+                       why.substr(why.find("] ") == std::string::npos ? 0 : why.find("] ") + 2));
+        }
+    }
+
+    const json& member(const json& object, const char* key, const std::string& where) const {
+        if (!object.is_object()) refuse(where, "not an object");
+        const auto it = object.find(key);
+        if (it == object.end()) refuse(where, std::string("the key \"") + key + "\" is missing");
+        return *it;
+    }
+
+    std::size_t count(const json& value, const std::string& where) const {
+        if (!value.is_number_unsigned()) refuse(where, "not a whole number of 0 or more");
+        return value.get<std::size_t>();
+    }
+
+    double number(const json& value, const std::string& where) const {
+        if (!value.is_number()) refuse(where, "not a number");
+        const double number = value.get<double>();
+        if (!std::isfinite(number)) refuse(where, "not finite");
+        return number;
+    }
+
+    template <int Dim>
+    lod::Vector<Dim> vector(const json& value, const std::string& where) const {
+        if (!value.is_array() || value.size() != Dim)
+            refuse(where, "not a list of " + std::to_string(Dim) + " numbers");
+        lod::Vector<Dim> v;
+        for (int d = 0; d < Dim; ++d) v[d] = number(value[static_cast<std::size_t>(d)], where);
+        return v;
+    }
+
+    void check_head(const json& file) const {
+        if (const json& format = member(file, "format", ""); format != format_name)
+            refuse("", std::string("the format is not \"") + format_name + "\"");
+        if (const json& version = member(file, "version", ""); version != format_version)
+            refuse("", "version " + version.dump() + " of the format is not known, only " +
+                           std::to_string(format_version));
+        if (const json& dim = member(file, "dim", ""); dim != dim_)
+            refuse("", "a tree of dimension " + dim.dump() + ", not " + std::to_string(dim_));
+    }
+
+    template <int Dim>
+    lod::TreeNode<Dim> node(const json& value, std::size_t place, std::size_t nodes,
+                            std::size_t& next_child) const {
+        const std::string at = "node " + std::to_string(place) + ": ";
+        lod::TreeNode<Dim> node;
+        node.sphere.centre = vector<Dim>(member(value, "centre", at), at + "the centre is ");
+        node.sphere.radius = number(member(value, "radius", at), at + "the radius is ");
+        if (node.sphere.radius < 0) refuse(at, "the radius is negative");
+        node.mean_normal = vector<Dim>(member(value, "normal", at), at + "the normal is ");
+        if (!(node.mean_normal.norm() <= 1 + 1e-9)) refuse(at, "the normal is longer than 1");
+        const json& children = member(value, "children", at);
+        if (!children.is_array()) refuse(at, "the children are not a list");
+        for (const json& child : children) {
+            const std::size_t number = count(child, at + "a child is ");
+            if (number >= nodes) refuse(at, "child " + std::to_string(number) + " does not exist");
+            if (number != next_child || number <= place)
+                refuse(at, "child " + std::to_string(number) + " where " +
+                               std::to_string(next_child) + " should come next");
+            node.children.push_back(static_cast<int>(number));
+            ++next_child;
+        }
+        return node;
+    }
+
+  private:
+    std::string source_;
+    int dim_;
+};
+
+}  // namespace
+
+template <int Dim>
+std::string tree_to_json(const lod::SphereTree<Dim>& tree) {
+    std::string text = "{\"format\": \"" + std::string(format_name) +
+                       "\", \"version\": " + std::to_string(format_version) +
+                       ", \"dim\": " + std::to_string(Dim) +
+                       ", \"nodes\": " + std::to_string(tree.size()) + ", \"levels\": [";
+    for (std::size_t level = 0; level + 1 < tree.level_begin.size(); ++level) {
+        if (level > 0) text += ", ";
+        text += std::to_string(tree.level_begin[level + 1] - tree.level_begin[level]);
+    }
+    text += "],\n \"tree\": [";
+    for (int node = 0; node < tree.size(); ++node) {
+        const auto at = tree.index(node);
+        text += node > 0 ? ",\n  {\"centre\": " : "\n  {\"centre\": ";
+        append(text, tree.centre, at);
+        text += ", \"radius\": ";
+        append(text, tree.radius[at]);
+        text += ", \"normal\": ";
+        append(text, tree.normal, at);
+        text += ", \"children\": [";
+        for (int child = 0; child < tree.child_count[at]; ++child) {
+            if (child > 0) text += ", ";
+            text += std::to_string(tree.first_child[at] + child);
+        }
+        text += "]}";
+    }
+    return text + "]}\n";
+}
+
+template <int Dim>
+lod::SphereTree<Dim> tree_from_json(std::string_view text, const std::string& source) {
+    const Reader reader(source, Dim);
+    const json file = reader.parsed(text);
+    reader.check_head(file);
+    const json& list = reader.member(file, "tree", "");
+    if (!list.is_array() || list.empty()) reader.refuse("", "\"tree\" is not a list of nodes");
+    if (list.size() != reader.count(reader.member(file, "nodes", ""), "\"nodes\" is "))
+        reader.refuse("", "\"nodes\" is not " + std::to_string(list.size()) +
+                              ", as many as there are in \"tree\"");
+    std::vector<lod::TreeNode<Dim>> nodes;
+    nodes.reserve(list.size());
+    std::size_t next_child = 1;
+    for (const json& value : list)
+        nodes.push_back(reader.node<Dim>(value, nodes.size(), list.size(), next_child));
+    if (next_child != nodes.size())
+        reader.refuse("", "node " + std::to_string(next_child) + " is nobody's child");
+    lod::SphereTree<Dim> tree = lod::lay_out<Dim>(nodes);
+    json levels = json::array();
+    for (int level = 0; level < tree.levels(); ++level)
+        levels.push_back(tree.level_begin[tree.index(level + 1)] -
+                         tree.level_begin[tree.index(level)]);
+    if (reader.member(file, "levels", "") != levels)
+        reader.refuse("", "\"levels\" is not " + levels.dump() + ", as the nodes say");
+    return tree;
+}
+
+template <int Dim>
+void save_tree(const std::filesystem::path& path, const lod::SphereTree<Dim>& tree) {
+    lod::write_text_file(path, tree_to_json(tree));
+}
+
+template <int Dim>
+lod::SphereTree<Dim> load_tree(const std::filesystem::path& path, std::size_t most_bytes) {
+    return tree_from_json<Dim>(lod::read_text_file(path, most_bytes), path.string());
+}
+
+#define IO_INSTANTIATE(Dim)                                                                  \
+    template std::string tree_to_json(const lod::SphereTree<Dim>&);                          \
+    template lod::SphereTree<Dim> tree_from_json<Dim>(std::string_view, const std::string&); \
+    template void save_tree(const std::filesystem::path&, const lod::SphereTree<Dim>&);      \
+    template lod::SphereTree<Dim> load_tree<Dim>(const std::filesystem::path&, std::size_t);
+IO_INSTANTIATE(2)
+IO_INSTANTIATE(3)
+#undef IO_INSTANTIATE
+
+}  // namespace io
