@@ -10,10 +10,6 @@ namespace {
 
 constexpr double largest_coordinate = 1e60;
 
-double cross(const Point& a, const Point& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
 /// The middle of the shorter arc from u anticlockwise to v, both on the unit circle.
 Point middle_of(const Point& u, const Point& v) {
     const Point sum = u + v;

@@ -26,7 +26,10 @@ using Face = std::unique_ptr<std::remove_pointer_t<FT_Face>,
                              Release<std::remove_pointer_t<FT_Face>, FT_Done_Face>>;
 
 [[noreturn]] void refuse(lod::ErrorKind kind, std::string_view text, const std::string& why) {
-    throw lod::Error(kind, "cannot use 'text:" + std::string(text) + "': " + why);
+    std::string shown(text);
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // an error is one line
+    throw lod::Error(kind, "cannot use 'text:" + shown + "': " + why);
 }
 
 /// The characters of a UTF-8 text.

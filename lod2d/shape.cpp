@@ -45,6 +45,16 @@ Polygon moved(const Polygon& polygon, const Point& by) {
     return result;
 }
 
+/// The nearest point whose coordinates have so few binary digits that moving a shape of this extent
+/// by it is exact, where the shape's own coordinates are as short: edges that touch keep touching,
+/// and none come to cross. Moves the point by less than 2^-51 of the extent.
+Point rounded_to_grid(const Point& p, double extent) {
+    int exponent = 0;
+    std::frexp(extent, &exponent);
+    const double step = std::ldexp(1.0, exponent - 51);
+    return step * (p / step).array().round().matrix();
+}
+
 /// Area and its first moments by Green's theorem, about the origin.
 struct Moments {
     double area = 0;
@@ -87,18 +97,16 @@ Shape make_shape(std::string name, const Polygon& polygon) {
     const Box box = bounds(polygon);
     const double extent = box.sizes().maxCoeff();
     // About the box's middle first, so that a small shape far from the origin keeps its digits.
-    const Point middle = box.center();
-    Polygon local = moved(polygon, -middle);
-    const Moments about_middle = moments(local);
+    const Point middle = rounded_to_grid(box.center(), extent);
+    const Moments about_middle = moments(moved(polygon, -middle));
     if (!(about_middle.area > 1e-12 * extent * extent) || extent < smallest_extent)
         refuse(name, "its area is zero; give a closed outline that encloses something");
 
-    const Point offset = about_middle.first / about_middle.area;
     Shape shape;
     shape.name = std::move(name);
-    shape.polygon = moved(local, -offset);
+    shape.centroid = middle + rounded_to_grid(about_middle.first / about_middle.area, extent);
+    shape.polygon = moved(polygon, -shape.centroid);
     shape.area = polygon_area(shape.polygon);
-    shape.centroid = middle + offset;
     shape.second_moment = polar_moment(shape.polygon);
     return shape;
 }

@@ -194,7 +194,9 @@ void SvgWalk::draw_shape(const xml_node& node, const Affine& frame, const SvgSty
         refuse(lod::ErrorKind::input_refused, node,
                "<" + std::string(node.name()) +
                    "> has a coordinate that is not finite or beyond 1e60; check its numbers");
-    if (filled) drawing_.fills.push_back({std::move(path), style.rule});
+    const bool may_enclose = std::ranges::any_of(
+        path.subpaths(), [](const CurvePath::Subpath& sub) { return sub.points.size() >= 3; });
+    if (filled && may_enclose) drawing_.fills.push_back({std::move(path), style.rule});
 }
 
 void SvgWalk::draw_children(const xml_node& node, const Affine& frame, const SvgStyle& style,
