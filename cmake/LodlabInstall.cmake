@@ -4,15 +4,14 @@ include(CMakePackageConfigHelpers)
 
 set(lodlab_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lodlab)
 
-# lodlab_install(NAME DESCRIPTION text [REQUIRES modules] [REQUIRES_PRIVATE modules] [LIBS_PRIVATE flags])
-# installs one library. REQUIRES names the pkg-config modules that its headers include,
-# REQUIRES_PRIVATE those that only its code calls, LIBS_PRIVATE what has no module. What
+# lodlab_install(NAME DESCRIPTION text REQUIRES modules) installs one library. REQUIRES names the
+# pkg-config modules that it links: all of them, since the library is static and they are shared. What
 # find_package needs for the same stands in lodlab-config.cmake.in.
 function(lodlab_install name)
   if(NOT TARGET ${name})
     return()
   endif()
-  cmake_parse_arguments(arg "" "DESCRIPTION" "REQUIRES;REQUIRES_PRIVATE;LIBS_PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "DESCRIPTION" "REQUIRES" ${ARGN})
   install(TARGETS ${name} EXPORT lodlab-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT lodlab-${name} NAMESPACE lodlab:: FILE lodlab-${name}-targets.cmake
           DESTINATION ${lodlab_package_folder})
@@ -22,8 +21,6 @@ function(lodlab_install name)
   set(NAME ${name})
   set(DESCRIPTION "${arg_DESCRIPTION}")
   list(JOIN arg_REQUIRES " " REQUIRES)
-  list(JOIN arg_REQUIRES_PRIVATE " " REQUIRES_PRIVATE)
-  list(JOIN arg_LIBS_PRIVATE " " LIBS_PRIVATE)
   file(RELATIVE_PATH UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/lodlab.pc.in lodlab-${name}.pc @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lodlab-${name}.pc
