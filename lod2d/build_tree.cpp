@@ -6,6 +6,7 @@
 #include "core/builder/certify.hpp"
 #include "core/error.hpp"
 #include "lod2d/distance.hpp"
+#include "lod2d/medial.hpp"
 #include "lod2d/pieces.hpp"
 #include "lod2d/quadtree.hpp"
 
@@ -14,8 +15,19 @@ namespace {
 
 constexpr std::array<Builder, 3> all_builders{Builder::quadtree, Builder::pieces, Builder::medial};
 
+template <class Config>
+Config configured(const TreeSettings& settings) {
+    Config config;
+    config.branching = settings.branching;
+    config.depth = settings.depth;
+    config.least_protrusion = settings.least_protrusion;
+    config.progress = settings.progress;
+    return config;
+}
+
 lod::SphereTree<2> built(const Shape& shape, const PolygonPiece& whole,
                          const TreeSettings& settings) {
+    const BoundaryIndex index(shape.polygon);
     switch (settings.builder) {
         case Builder::quadtree:
             if (settings.branching != 4)
@@ -23,15 +35,9 @@ lod::SphereTree<2> built(const Shape& shape, const PolygonPiece& whole,
                                  "a quadtree has branching 4; choose that or another builder");
             return build_quadtree(whole, {settings.depth, settings.progress});
         case Builder::pieces:
-        case Builder::medial: {
-            const BoundaryIndex index(shape.polygon);
-            PiecesConfig config;
-            config.branching = settings.branching;
-            config.depth = settings.depth;
-            config.least_protrusion = settings.least_protrusion;
-            config.progress = settings.progress;
-            return build_pieces(whole, index, config);
-        }
+            return build_pieces(whole, index, configured<PiecesConfig>(settings));
+        case Builder::medial:
+            return build_medial(shape.polygon, whole, index, configured<MedialConfig>(settings));
     }
     throw lod::Error(lod::ErrorKind::usage, "there is no such builder of circle trees");
 }

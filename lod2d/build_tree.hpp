@@ -14,11 +14,11 @@ enum class Builder {
     quadtree,  ///< squares halved, a circle round each that holds some of the shape: the classical
                ///< one
     pieces,    ///< power diagram and fit, from geometric starts
-    medial,    ///< the same from circles on the medial axis
+    medial,    ///< the same from circles on the medial axis too; the default, since it fits best
 };
 
 struct TreeSettings {
-    Builder builder = Builder::pieces;
+    Builder builder = Builder::medial;
     int branching = 4;  ///< most children of a node, 2 to 64; the quadtree has 4 always
     int depth = 4;      ///< levels below the root, 0 to 12; branching^depth is at most 1048576
     /// A node that stands out of the shape by no more than this share of the root circle's diameter

@@ -75,11 +75,10 @@ class Grower {
   private:
     void divide(std::size_t node, const Piece& owned, int levels_left) {
         check_interrupted();
-        const Sphere<Dim> ball = nodes_[node].sphere;
-        const bool fine = strategy_.protrusion(ball) <= settings_.least_protrusion;
+        const bool fine = strategy_.protrusion(nodes_[node].sphere) <= settings_.least_protrusion;
         if (levels_left == 0 || fine) return report(work_below_[as_index(levels_left)]);
         report(1);
-        Cover<Dim> cover = best_cover(owned, ball);
+        Cover<Dim> cover = best_cover(owned, nodes_[node].sphere);
         const std::vector<Piece> pieces = settled_pieces(owned, cover);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const std::size_t child = nodes_.size();
@@ -91,27 +90,64 @@ class Grower {
                work_below_[as_index(levels_left - 1)]);
     }
 
-    /// The cover whose worst ball stands out least, if that is a good step on from the parent. A
-    /// ball over a pocket may stand out no more than smaller balls would; then the cover of the
-    /// smallest balls is better, since it parts what the next levels have to hold.
-    Cover<Dim> best_cover(const Piece& owned, const Sphere<Dim>& ball) const {
-        const double good = 0.75 * strategy_.protrusion(ball);
-        Cover<Dim> best;
-        Cover<Dim> smallest;
-        for (const auto& start : strategy_.starts(owned, ball, settings_.branching)) {
-            Cover<Dim> small = improved(owned, start, Aim::small);
-            Cover<Dim> close = improved(owned, small.balls, Aim::close);
-            if (close.worst < best.worst) best = std::move(close);
-            if (small.worst < smallest.worst) smallest = std::move(small);
+    /// The cover whose worst ball stands out least, among those that part the shape's surface: one
+    /// ball that keeps nearly all of it, over a pocket or from tip to tip, may stand out no more
+    /// than smaller balls would, but leaves the next level where this one was.
+    class Choice {
+      public:
+        Choice(const Piece& owned, int branching)
+            : owned_(owned), most_share_(1 - 0.5 / branching) {}
+
+        /// Requires cover.worst to be a protrusion.
+        void consider(const Cover<Dim>& cover) {
+            if (parts_ && cover.worst >= best_.worst) return;
+            const bool parts = largest_share(cover) <= most_share_;
+            if (parts_ ? !parts : !parts && cover.worst >= best_.worst) return;
+            best_ = cover;
+            parts_ = parts;
         }
-        return best.worst <= good ? best : smallest;
+        [[nodiscard]] const Cover<Dim>& best() const { return best_; }
+
+      private:
+        [[nodiscard]] double largest_share(const Cover<Dim>& cover) const {
+            const double surface = owned_.surface_measure();
+            double largest = 0;
+            for (const Piece& p : split<Dim>(owned_, std::span<const Sphere<Dim>>(cover.balls)))
+                largest = std::max(largest, surface > 0 ? p.surface_measure() : p.measure());
+            return largest / (surface > 0 ? surface : owned_.measure());
+        }
+
+        const Piece& owned_;
+        double most_share_;
+        Cover<Dim> best_;
+        bool parts_ = false;
+    };
+
+    Cover<Dim> best_cover(const Piece& owned, const Sphere<Dim>& ball) const {
+        Choice choice(owned, settings_.branching);
+        for (const auto& start : strategy_.starts(owned, ball, settings_.branching)) {
+            const Cover<Dim> small = improved(owned, start, Aim::small, nullptr);
+            (void)improved(owned, start, Aim::close, &choice);
+            (void)improved(owned, small.balls, Aim::close, &choice);
+            choice.consider({small.balls, worst_protrusion(small.balls)});
+        }
+        return choice.best();
+    }
+
+    double worst_protrusion(const std::vector<Sphere<Dim>>& balls) const {
+        double worst = 0;
+        for (const auto& ball : balls) worst = std::max(worst, double(strategy_.protrusion(ball)));
+        return worst;
     }
 
     /// Splits and fits again while that pays, as Lloyd's method does. It cannot get worse: a ball
     /// of the last round holds its new piece, since each point lies in the ball of its power cell.
-    Cover<Dim> improved(const Piece& owned, const std::vector<Sphere<Dim>>& start, Aim aim) const {
+    Cover<Dim> improved(const Piece& owned, const std::vector<Sphere<Dim>>& start, Aim aim,
+                        Choice* choice) const {
         Cover<Dim> cover = fitted(owned, start, aim);
-        for (int round = 1; round < settings_.most_rounds; ++round) {
+        for (int round = 1;; ++round) {
+            if (choice != nullptr) choice->consider(cover);
+            if (round >= settings_.most_rounds) break;
             Cover<Dim> next = fitted(owned, cover.balls, aim);
             const bool pays = next.worst < cover.worst * (1 - settings_.least_gain);
             if (next.worst < cover.worst) cover = std::move(next);

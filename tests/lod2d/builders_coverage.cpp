@@ -212,6 +212,6 @@ TEST_CASE("node normals have length 1 on a flat side and none on the whole", "[b
             CHECK(std::max(std::abs(normal.x()), std::abs(normal.y())) == Approx(1));
             CHECK(normal.dot(tree.sphere(node).centre) > 0);  // outward
         }
-        CHECK(flat > 4);
+        if (builder != Builder::medial) CHECK(flat > 4);  // its circles touch two sides
     }
 }

@@ -1,0 +1,97 @@
+#include "lod2d/medial_cover.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lod2d {
+namespace {
+
+using Disc = lod::Sphere<2>;
+
+class Cover {
+  public:
+    Cover(std::span<const Point> points, std::span<const Disc> discs)
+        : points_(points.size()), discs_(discs.size()) {
+        need_.reserve(points_ * discs_);
+        for (const Disc& disc : discs)
+            for (const Point& p : points)
+                need_.push_back(std::max(0.0, (p - disc.centre).norm() - disc.radius));
+    }
+
+    /// What disc d must grow by to hold point p.
+    [[nodiscard]] double need(std::size_t d, std::size_t p) const { return need_[d * points_ + p]; }
+
+    /// Takes the disc that holds the most points not yet held, again and again; fewer than all
+    /// points may be held at the end.
+    [[nodiscard]] std::vector<std::size_t> greedy(double allowance, int count, bool& all) const {
+        std::vector<char> held(points_, 0);
+        std::vector<std::size_t> chosen;
+        std::size_t left = points_;
+        while (left > 0 && static_cast<int>(chosen.size()) < count) {
+            std::size_t best = 0;
+            std::size_t best_gain = 0;
+            for (std::size_t d = 0; d < discs_; ++d) {
+                std::size_t gain = 0;
+                for (std::size_t p = 0; p < points_; ++p)
+                    gain += !held[p] && need(d, p) <= allowance;
+                if (gain > best_gain) {
+                    best = d;
+                    best_gain = gain;
+                }
+            }
+            if (best_gain == 0) break;
+            chosen.push_back(best);
+            for (std::size_t p = 0; p < points_; ++p) held[p] |= need(best, p) <= allowance;
+            left -= best_gain;
+        }
+        all = left == 0;
+        return chosen;
+    }
+
+    /// An allowance with which any one disc holds every point.
+    [[nodiscard]] double enough() const {
+        return need_.empty() ? 0 : *std::max_element(need_.begin(), need_.end());
+    }
+
+  private:
+    std::size_t points_;
+    std::size_t discs_;
+    std::vector<double> need_;
+};
+
+}  // namespace
+
+std::vector<Disc> least_growth_cover(std::span<const Point> points, std::span<const Disc> discs,
+                                     int count) {
+    if (points.empty() || discs.empty()) return {};
+    const Cover cover(points, discs);
+    double high = cover.enough();
+    double low = 0;
+    bool all = false;
+    std::vector<std::size_t> chosen = cover.greedy(high, count, all);
+    constexpr int halvings = 24;
+    for (int i = 0; i < halvings && high > 0; ++i) {
+        // Protrusions span decades: bisect by the geometric mean where that is possible.
+        const double middle = low > 0 ? std::sqrt(low * high) : high / 4;
+        if (low > 0 && high < low * 1.02) break;
+        const auto attempt = cover.greedy(middle, count, all);
+        if (all) {
+            chosen = attempt;
+            high = middle;
+        } else {
+            low = middle;
+        }
+    }
+    std::vector<Disc> grown;
+    for (const std::size_t d : chosen) grown.push_back(discs[d]);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        std::size_t least = 0;
+        for (std::size_t i = 0; i < chosen.size(); ++i)
+            if (cover.need(chosen[i], p) < cover.need(chosen[least], p)) least = i;
+        Disc& disc = grown[least];
+        disc.radius = std::max(disc.radius, (points[p] - disc.centre).norm());
+    }
+    return grown;
+}
+
+}  // namespace lod2d
