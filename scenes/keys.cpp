@@ -132,7 +132,7 @@ constexpr double radians(double degrees) {
 /// Both bounds are the builders' own; they check what a builder can do with them.
 constexpr int least_branching = 2;
 constexpr int most_branching = 64;
-constexpr int most_depth = 16;
+constexpr int most_depth = 12;
 constexpr int most_level = 1000;
 
 // clang-format off
@@ -161,7 +161,7 @@ const Key<Scene> scene_table[] = {
 const Key<BodySpec> body_table[] = {
     {"name", "", "body N", [](const E& e, BodySpec& b, Reading&) { b.name = text(e); }},
     {"shape", "", "required", [](const E& e, BodySpec& b, Reading&) { b.shape = text(e); }},
-    {"size", "m", "as drawn", [](const E& e, BodySpec& b, Reading&) { b.size = number(e, 1e-6, most_metres); }},
+    {"size", "m", "1", [](const E& e, BodySpec& b, Reading&) { b.size = number(e, 1e-6, most_metres); }},
     {"density", "kg/m^2", "the scene's", [](const E& e, BodySpec& b, Reading&) { b.density = mass(e); }},
     {"mass", "kg", "density x area", [](const E& e, BodySpec& b, Reading&) { b.mass = mass(e); }},
     {"static", "", "false", [](const E& e, BodySpec& b, Reading&) { b.is_static = truth(e); }},

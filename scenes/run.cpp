@@ -105,7 +105,8 @@ Run<Dim> run(std::vector<lod::Body<Dim>> bodies, const RunOptions& options) {
         check_range(seen, frame);
         step.state_hash = lod::state_hash(seen);
         result.steps.push_back(std::move(step));
-        if (options.progress) options.progress(static_cast<int>(frame) + 1, options.frames);
+        if (options.progress)
+            options.progress(static_cast<double>(frame + 1) / static_cast<double>(frames));
     }
     result.end = states_of(seen);
     result.state_hash = lod::state_hash(seen);

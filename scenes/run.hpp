@@ -50,7 +50,7 @@ struct Run {
 /// How a run goes.
 struct RunOptions {
     lod::FrameSettings settings;
-    int frames = 1;
+    std::int64_t frames = 1;
     Limits limits;
     /// For `limits.milliseconds` (required there) and for the frames' times. It must outlive the
     /// run.
@@ -58,7 +58,7 @@ struct RunOptions {
     /// Replay: where each frame was cut, nothing for a frame that was not. Takes the place of
     /// node_tests and milliseconds. Requires: empty or one entry a frame.
     std::span<const std::optional<std::uint64_t>> cuts;
-    std::function<void(int done, int total)> progress;  ///< called after every frame
+    std::function<void(double share)> progress;  ///< called after every frame with the share done
 };
 
 /// The time of the response that a deadline holds back for each contact: one contact's share of the

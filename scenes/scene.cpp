@@ -76,8 +76,8 @@ const TomlEntry* find(const TomlTable& table, std::string_view key) {
 
 }  // namespace
 
-int Scene::frames() const {
-    return std::max(1, static_cast<int>(std::ceil(duration / time_step - 1e-9)));
+std::int64_t Scene::frames() const {
+    return std::max<std::int64_t>(1, std::llround(std::ceil(duration / time_step - 1e-9)));
 }
 
 Scene parse_scene(std::string_view text, const std::filesystem::path& path) {

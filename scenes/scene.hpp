@@ -21,7 +21,7 @@ struct BodySpec {
     std::string name;              ///< unique in its scene
     std::string shape;             ///< as written: a file, "text:R", or a generator
     std::filesystem::path file;    ///< where the shape is a file: its path; else empty
-    std::optional<double> size;    ///< longer side of the shape's box [m]; nothing: as drawn
+    std::optional<double> size;    ///< longer side of the shape's box [m]
     double density = 1;            ///< [kg/m^2]
     std::optional<double> mass;    ///< [kg]; overrides the density
     bool is_static = false;        ///< never moves
@@ -63,7 +63,7 @@ struct Scene {
     lod::Priority priority = lod::Priority::closing_speed;
     std::optional<Camera> camera;  ///< nothing: pictures frame all that moves
 
-    [[nodiscard]] int frames() const;  ///< steps that cover the duration, at least 1
+    [[nodiscard]] std::int64_t frames() const;  ///< steps that cover the duration, at least 1
 };
 
 /// Reads a scene file. A shape file is looked up in the folder of the scene and may not lie outside

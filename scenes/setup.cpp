@@ -1,10 +1,13 @@
 #include "scenes/setup.hpp"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
 #include "core/error.hpp"
 #include "lod2d/generators.hpp"
+#include "lod2d/load.hpp"
+#include "lod2d/overlap.hpp"
 
 namespace scenes {
 namespace {
@@ -20,41 +23,19 @@ struct Stock {
         trees;
 };
 
-SharedShape shape_of(const BodySpec& spec, Stock& stock) {
+SharedShape shape_of(const BodySpec& spec, double raise_limits, Stock& stock) {
     const std::string name = spec.file.empty() ? spec.shape : spec.file.string();
     SharedShape& shape = stock.shapes[{name, spec.size}];
-    if (!shape) shape = std::make_shared<const lod2d::Shape>(shape_named(name, spec.size));
+    if (!shape)
+        shape = std::make_shared<const lod2d::Shape>(shape_named(name, spec.size, raise_limits));
     return shape;
-}
-
-// PROVISIONAL
-void grow(const lod2d::Polygon& polygon, lod2d::Box box, int depth,
-          std::vector<lod::TreeNode<2>>& nodes, int parent) {
-    const int self = static_cast<int>(nodes.size());
-    nodes.push_back({{box.center(), box.diagonal().norm() / 2}, {0, 0}, {}});
-    if (parent >= 0) nodes[static_cast<std::size_t>(parent)].children.push_back(self);
-    if (depth == 0) return;
-    for (int k = 0; k < 4; ++k) {
-        const lod2d::Point corner = box.corner(static_cast<lod2d::Box::CornerType>(k));
-        lod2d::Box part(box.center());
-        part.extend(corner);
-        bool inside = false;
-        for (const auto& ring : polygon.rings)
-            for (std::size_t i = 0; i < ring.size(); ++i) {
-                const auto a = ring[i], b = ring[(i + 1) % ring.size()];
-                for (int s = 0; s < 50; ++s)
-                    if (part.contains(lod2d::Point(a + (b - a) * s / 50.0))) inside = true;
-            }
-        if (inside) grow(polygon, part, depth - 1, nodes, self);
-    }
 }
 
 SharedTree tree_of(const BodySpec& spec, const SharedShape& shape, Stock& stock) {
     SharedTree& tree = stock.trees[{shape.get(), spec.builder, spec.branching, spec.depth}];
     if (!tree) {
-        std::vector<lod::TreeNode<2>> nodes;
-        grow(shape->polygon, lod2d::bounds(shape->polygon), spec.depth.value_or(4), nodes, -1);
-        tree = std::make_shared<const lod::SphereTree<2>>(lod::lay_out<2>(nodes));
+        const auto settings = tree_settings(spec.builder, spec.branching, spec.depth);
+        tree = std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(*shape, settings));
     }
     return tree;
 }
@@ -78,20 +59,82 @@ lod::Body<2> body_of(const BodySpec& spec, const lod2d::Shape& shape, SharedTree
     return body;
 }
 
-}  // namespace
-
-lod2d::Shape shape_named(const std::string& spec, std::optional<double>) {
-    return lod2d::generate(spec);
+lod2d::Pose pose_of(const lod::Body<2>& body) {
+    return {body.position, body.orientation};
 }
 
-Setup set_up(const Scene& scene) {
+bool roots_meet(const lod::Body<2>& a, const lod::Body<2>& b) {
+    const lod::Sphere<2> root_a = a.tree->sphere(0);
+    const lod::Sphere<2> root_b = b.tree->sphere(0);
+    // Turning moves a centre within its distance from the centre of mass.
+    const double reach =
+        root_a.radius + root_a.centre.norm() + root_b.radius + root_b.centre.norm();
+    return (b.position - a.position).norm() <= reach;
+}
+
+/// A line for every two bodies, not both static, whose shapes share a point at the start.
+std::vector<std::string> overlaps_at_start(const Setup& setup) {
+    std::vector<std::string> warnings;
+    for (std::size_t a = 0; a < setup.bodies.size(); ++a) {
+        lod::check_interrupted();
+        for (std::size_t b = a + 1; b < setup.bodies.size(); ++b) {
+            const lod::Body<2>& body_a = setup.bodies[a];
+            const lod::Body<2>& body_b = setup.bodies[b];
+            if ((body_a.is_static() && body_b.is_static()) || !roots_meet(body_a, body_b)) continue;
+            if (!lod2d::overlap(*setup.shapes[a], pose_of(body_a), *setup.shapes[b],
+                                pose_of(body_b)))
+                continue;
+            warnings.push_back(setup.scene.bodies[b].where + ": bodies " +
+                               setup.scene.bodies[a].name + " and " + setup.scene.bodies[b].name +
+                               " touch or overlap at the start; move one of them if that is not "
+                               "meant");
+        }
+    }
+    return warnings;
+}
+
+template <class Count>
+void raise(Count& limit, double factor) {
+    const double raised = static_cast<double>(limit) * factor;
+    constexpr double most = 9e18;  // what every count can hold
+    limit = static_cast<Count>(std::min(raised, most));
+}
+
+}  // namespace
+
+lod2d::Shape shape_named(const std::string& spec, std::optional<double> size, double raise_limits) {
+    lod2d::LoadSettings settings;
+    if (size) settings.outline.size = *size;
+    raise(settings.most_bytes, raise_limits);
+    raise(settings.most_elements, raise_limits);
+    raise(settings.outline.clean.most_points, raise_limits);
+    raise(settings.outline.clean.most_edge_pairs, raise_limits);
+    raise(settings.outline.clean.most_sweep_steps, raise_limits);
+    lod2d::Shape shape = lod2d::load_shape(spec, settings);
+    if (!size || !lod2d::names_generator(spec)) return shape;
+    const double scale = *size / lod2d::bounds(shape.polygon).sizes().maxCoeff();
+    for (lod2d::Ring& ring : shape.polygon.rings)
+        for (lod2d::Point& point : ring) point *= scale;
+    return lod2d::make_shape(shape.name, shape.polygon);
+}
+
+lod2d::TreeSettings tree_settings(const std::string& builder, std::optional<int> branching,
+                                  std::optional<int> depth) {
+    lod2d::TreeSettings settings;
+    if (!builder.empty()) settings.builder = lod2d::builder_named(builder);
+    if (branching) settings.branching = *branching;
+    if (depth) settings.depth = *depth;
+    return settings;
+}
+
+Setup set_up(const Scene& scene, double raise_limits) {
     Setup setup;
     setup.scene = scene;
     Stock stock;
     for (const BodySpec& spec : scene.bodies) {
         lod::check_interrupted();
         try {
-            setup.shapes.push_back(shape_of(spec, stock));
+            setup.shapes.push_back(shape_of(spec, raise_limits, stock));
             SharedTree tree = tree_of(spec, setup.shapes.back(), stock);
             setup.bodies.push_back(body_of(spec, *setup.shapes.back(), std::move(tree)));
         } catch (const lod::Error& error) {
@@ -101,6 +144,7 @@ Setup set_up(const Scene& scene) {
             throw lod::Error(kind, spec.where + ": body " + spec.name + ": " + error.what());
         }
     }
+    setup.warnings = overlaps_at_start(setup);
     return setup;
 }
 

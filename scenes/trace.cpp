@@ -223,7 +223,7 @@ Run<Dim> replay(const Trace& trace, std::vector<lod::Body<Dim>> bodies, RunOptio
                          "the scene is not the one of the trace (" + trace.scene +
                              ", or it has been changed since); name the scene of the trace");
     options.settings = trace.settings;
-    options.frames = static_cast<int>(trace.cuts.size());
+    options.frames = static_cast<std::int64_t>(trace.cuts.size());
     options.limits = {};
     options.cuts = trace.cuts;
     Run<Dim> result = run(std::move(bodies), options);

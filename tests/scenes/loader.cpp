@@ -164,8 +164,8 @@ TEST_CASE("values that mean nothing are refused with the mend") {
     CHECK(contains(refusal(body("restitution = -0.1")), "between 0 and 1, not -0.1"));
     CHECK(contains(refusal(body("branching = 1")), "between 2 and 64, not 1"));
     CHECK(contains(refusal(body("branching = 65")), "between 2 and 64, not 65"));
-    CHECK(contains(refusal(body("depth = -1")), "between 0 and 16, not -1"));
-    CHECK(contains(refusal(body("depth = 17")), "between 0 and 16, not 17"));
+    CHECK(contains(refusal(body("depth = -1")), "between 0 and 12, not -1"));
+    CHECK(contains(refusal(body("depth = 13")), "between 0 and 12, not 13"));
     CHECK(contains(refusal(body("depth = 2.5")), "whole number"));
     CHECK(contains(refusal(body("size = 0")), "size must lie between"));
     CHECK(contains(refusal("time_step = 0"), "time_step must lie between"));

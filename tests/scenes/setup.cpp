@@ -58,3 +58,34 @@ TEST_CASE("a shape that is refused is named with its place in the file") {
         CHECK(std::string(error.what()).starts_with("/tmp/test.toml:1:1: body body 1: "));
     }
 }
+
+TEST_CASE("bodies that start inside each other are allowed and reported") {
+    const scenes::Setup setup = staged(R"(
+[[body]]
+name = "left"
+shape = "box:1,1"
+[[body]]
+name = "right"
+shape = "box:1,1"
+position = [0.9, 0]
+[[body]]
+name = "far"
+shape = "box:1,1"
+position = [0, 1.01]
+)");
+    REQUIRE(setup.warnings.size() == 1);
+    CHECK(setup.warnings[0].starts_with(
+        "/tmp/test.toml:5:1: bodies left and right touch or overlap at the start"));
+}
+
+TEST_CASE("static bodies may overlap each other without a word") {
+    const scenes::Setup setup = staged(R"(
+[[body]]
+shape = "box:4,1"
+static = true
+[[body]]
+shape = "box:1,4"
+static = true
+)");
+    CHECK(setup.warnings.empty());
+}
