@@ -3,8 +3,11 @@
 
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "cli/pictures.hpp"
 #include "cli/staging.hpp"
+#include "core/error.hpp"
 #include "core/traversal.hpp"
+#include "viz/draw_traversal.hpp"
 
 namespace cli {
 namespace {
@@ -118,11 +121,30 @@ std::string report_of(const scenes::Setup& setup, const Instant& instant) {
     return text;
 }
 
+/// The traversal of the pair that took the most tests: the one worth a look.
+viz::Figure figure_of(const scenes::Setup& setup, const Instant& instant) {
+    const auto& pairs = instant.record.pairs;
+    const auto busiest = std::max_element(
+        pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.tests < y.tests; });
+    if (busiest == pairs.end())
+        throw lod::Error(
+            lod::ErrorKind::input_refused,
+            "no two bodies come near each other at " + readable(instant.time) +
+                " s, so there is no traversal to draw; choose another instant by --at");
+    return viz::traversal(actor_of(setup, instant.bodies, busiest->bodies.a),
+                          actor_of(setup, instant.bodies, busiest->bodies.b),
+                          levels_of(instant, *busiest));
+}
+
 }  // namespace
 
 void run_collide(const Options& options) {
+    check_outputs(options, false);
     const scenes::Setup setup = stage(options);
     const Instant instant = instant_of(setup, options);
+    Drawing drawing;
+    drawing.figure = [&] { return figure_of(setup, instant); };
+    write_outputs(options, drawing);
     if (options.json)
         print(result_of(setup, instant));
     else

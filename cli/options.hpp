@@ -33,10 +33,10 @@ struct Options {
     std::optional<double> duration;  ///< [s]
     std::string response;
     std::string point_model;
-    std::string picture;  ///< of simulate: strip or plot
+    bool plot = false;  ///< of simulate: still pictures are plots instead of strips
     std::string trace;
     std::string replay;
-    int most_frames = 100'000;
+    double raise_limits = 1;
     bool no_video = false;
 };
 

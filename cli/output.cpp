@@ -30,12 +30,16 @@ void remark(const std::string& line) {
     std::cerr << "lodlab: " << text << '\n';
 }
 
-std::string readable(double number) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number,
-                                   std::chars_format::general, 6)
+std::string readable(double number, int digits) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number,
+                                   std::chars_format::general, digits)
                          .ptr;
-    return {digits.data(), end};
+    return {text.data(), end};
+}
+
+std::string right(const std::string& text, std::size_t width) {
+    return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
 }
 
 }  // namespace cli

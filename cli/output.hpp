@@ -14,7 +14,10 @@ void print(const nlohmann::ordered_json& json);
 /// A remark that is no result: one line on standard error.
 void remark(const std::string& line);
 
-/// A number as a reader wants it: at most six significant digits, no trailing zeros.
-[[nodiscard]] std::string readable(double number);
+/// A number as a reader wants it: at most so many significant digits, no trailing zeros.
+[[nodiscard]] std::string readable(double number, int digits = 6);
+
+/// The text at the right end of a column of so many characters.
+[[nodiscard]] std::string right(const std::string& text, std::size_t width);
 
 }  // namespace cli

@@ -11,6 +11,8 @@
 namespace cli {
 namespace {
 
+constexpr double most_frames = 100'000;  // at 240 a second, seven minutes
+
 template <class Choice, std::size_t n>
 void override_choice(const std::string& name, const std::array<std::string_view, n>& names,
                      Choice& choice) {
@@ -40,25 +42,26 @@ scenes::Setup stage(const Options& options) {
     override_choice(options.response, scenes::response_names, scene.response);
     override_choice(options.point_model, scenes::point_model_names, scene.point_model);
     if (options.duration) scene.duration = *options.duration;
-    scenes::Setup setup = scenes::set_up(scene);
+    scenes::Setup setup = scenes::set_up(scene, options.raise_limits);
     for (const std::string& warning : setup.warnings) remark(warning);
     return setup;
 }
 
 scenes::Run<2> play(const scenes::Setup& setup, const Options& options, const std::string& label) {
     const scenes::Scene& scene = setup.scene;
-    if (scene.frames() > options.most_frames)
+    const double most = most_frames * options.raise_limits;
+    if (static_cast<double>(scene.frames()) > most)
         throw lod::Error(lod::ErrorKind::limit_exceeded,
                          std::to_string(scene.frames()) + " frames, the limit is " +
-                             std::to_string(options.most_frames) +
-                             "; shorten the duration or raise it by --most-frames");
+                             readable(most) +
+                             "; shorten the duration, or raise the limit by --raise-limits");
     ProgressBar bar(label);
     scenes::RunOptions run;
     run.settings = scenes::frame_settings(scene, scene.limits);
     run.frames = scene.frames();
     run.limits = scene.limits;
     run.clock = &steady_clock();
-    run.progress = [&](int done, int total) { bar.show(static_cast<double>(done) / total); };
+    run.progress = [&](double share) { bar.show(share); };
     return scenes::run(setup.bodies, run);
 }
 
@@ -66,7 +69,7 @@ scenes::Run<2> play_again(const scenes::Setup& setup, const Options& options) {
     ProgressBar bar("Playing again");
     scenes::RunOptions run;
     run.clock = &steady_clock();
-    run.progress = [&](int done, int total) { bar.show(static_cast<double>(done) / total); };
+    run.progress = [&](double share) { bar.show(share); };
     return scenes::replay(scenes::read_trace(options.replay), setup.bodies, run);
 }
 

@@ -11,7 +11,7 @@ namespace cli {
 [[nodiscard]] scenes::Setup stage(const Options& options);
 
 /// Runs a staged scene under its limits, with a progress bar. `label` heads the bar.
-/// Throws lod::Error (limit exceeded) when that takes more frames than options.most_frames.
+/// Throws lod::Error (limit exceeded) when that takes more frames than the limit.
 [[nodiscard]] scenes::Run<2> play(const scenes::Setup& setup, const Options& options,
                                   const std::string& label);
 
