@@ -91,13 +91,16 @@ void add_normals(Marks& marks, std::span<const lod::Contact<2>> contacts, double
 }
 
 void add_velocity(Marks& marks, const lod::Body<2>& body, int number, double metres_per_speed,
-                  double opacity) {
+                  double opacity, SpinWords spin) {
     const double speed = body.velocity.norm();
     if (speed == 0) return;
+    std::string words = quantity_text(speed, "m/s", 2);
+    if (spin == SpinWords::shown && body.spin[0] != 0)
+        words.append("\n").append(quantity_text(body.spin[0], "rad/s", 2));
     marks.push_back(Arrow{{.role = Role::velocity, .body = number, .opacity = opacity},
                           point_of(body.position),
                           point_of(body.position + metres_per_speed * body.velocity),
-                          quantity_text(speed, "m/s", 2)});
+                          words});
 }
 
 void add_name(Marks& marks, const Actor& actor, int number, Point away_from) {

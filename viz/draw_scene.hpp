@@ -33,9 +33,12 @@ void add_contact_points(Marks& marks, std::span<const lod::Contact<2>> contacts,
 void add_normals(Marks& marks, std::span<const lod::Contact<2>> contacts, double length,
                  double opacity = 1);
 
-/// The velocity of a body's centre as an arrow, `metres_per_speed` long for 1 m/s, with its value.
+enum class SpinWords { left_out, shown };
+
+/// The velocity of a body's centre as an arrow, `metres_per_speed` long for 1 m/s, with its value
+/// and, where asked for, the spin below it.
 void add_velocity(Marks& marks, const lod::Body<2>& body, int number, double metres_per_speed,
-                  double opacity = 1);
+                  double opacity = 1, SpinWords spin = SpinWords::left_out);
 
 /// A label beside the body's outline, on the side away from a point.
 void add_name(Marks& marks, const Actor& actor, int number, Point away_from);

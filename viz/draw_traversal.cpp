@@ -43,12 +43,19 @@ Panel level_panel(const Actor& a, const Actor& b, const std::vector<lod::Front>&
     return panel;
 }
 
-Box view_of(const Actor& a, const Actor& b) {
+/// A box that holds both outlines and every node that the levels show.
+Box view_of(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
+            const std::vector<int>& levels) {
     Box view = bounds({a.look, b.look}, {a.body, b.body});
-    for (const Actor* actor : {&a, &b}) {
-        const lod::Sphere<2> root = carried_node(actor->body, 0);
-        view = united(view, {{root.centre.x() - root.radius, root.centre.y() - root.radius},
-                             {root.centre.x() + root.radius, root.centre.y() + root.radius}});
+    const auto take_in = [&](const lod::Body<2>& body, const std::vector<int>& nodes) {
+        for (const int node : nodes) {
+            view = united(view, box_of(carried_node(body, node)));
+        }
+    };
+    for (const int level : levels) {
+        const TestedNodes tested = tested_nodes(a.body, b.body, fronts, level);
+        take_in(a.body, tested.a);
+        take_in(b.body, tested.b);
     }
     return view;
 }
@@ -112,8 +119,8 @@ Figure traversal(const Actor& a, const Actor& b, const std::vector<lod::Front>& 
         "Bold: nodes that intersect, whose children are tested next. Thin grey: "
         "nodes tested that meet nothing.";
     figure.alt = alt_text(a, b, fronts, levels);
-    for (const int level : levels)
-        figure.panels.push_back(level_panel(a, b, fronts, level, view_of(a, b)));
+    const Box view = view_of(a, b, fronts, levels);
+    for (const int level : levels) figure.panels.push_back(level_panel(a, b, fronts, level, view));
     return figure;
 }
 
@@ -132,7 +139,9 @@ Figure traversal_level(const Actor& a, const Actor& b, const std::vector<lod::Fr
         "nodes tested that meet nothing.";
     figure.alt = "The circle trees of " + plain_text(names_of(a, b)) + " at " +
                  level_words(fronts, level) + ".";
-    figure.panels.push_back(level_panel(a, b, fronts, level, view_of(a, b)));
+    std::vector<int> every;  // so that the steps of one traversal share a view
+    for (std::size_t i = 0; i < fronts.size(); ++i) every.push_back(static_cast<int>(i));
+    figure.panels.push_back(level_panel(a, b, fronts, level, view_of(a, b, fronts, every)));
     figure.panels.back().title.clear();
     return figure;
 }

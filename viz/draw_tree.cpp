@@ -14,10 +14,7 @@ Box view_of(const Actor& actor, const std::vector<int>& levels) {
     Box view = bounds({actor.look}, {actor.body});
     for (const int level : levels) {
         for (const int node : actor.body.tree->level_nodes(level)) {
-            const lod::Sphere<2> ball = carried_node(actor.body, node);
-            const Point c = point_of(ball.centre);
-            view = united(view, {{c.x - ball.radius, c.y - ball.radius},
-                                 {c.x + ball.radius, c.y + ball.radius}});
+            view = united(view, box_of(carried_node(actor.body, node)));
         }
     }
     return view;

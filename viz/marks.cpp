@@ -12,17 +12,21 @@ namespace {
 constexpr double beyond = 60;  ///< marks are cut so far outside the frame
 constexpr double huge_radius = 8000;
 constexpr double dot_radius = 5.5;
+constexpr double narrow_panel = 450;  ///< smaller dots below
 constexpr double halo = 2.5;
 constexpr double head_length = 15;
 constexpr double head_half_width = 6;
 constexpr int fading_parts = 32;
 constexpr double doubled_gap = 4.5;
+constexpr std::size_t many_discs = 40;  ///< of one style side by side: thinner lines
+constexpr double wide_panel = 800;      ///< larger words from here on
 
 /// Draws one panel's marks and gathers its words and what they must not cover.
 class Painter {
   public:
-    Painter(const PanelPlace& place, Theme theme, Rgb ground, Canvas& canvas)
-        : map_(place.mapping),
+    Painter(const PanelPlace& place, bool plot, Theme theme, Rgb ground, Canvas& canvas)
+        : label_size_(!plot && place.frame.width > wide_panel ? 1.25 * label_size : label_size),
+          map_(place.mapping),
           frame_(place.frame),
           theme_(theme),
           ground_(ground),
@@ -39,7 +43,7 @@ class Painter {
     };
 
     void paint_discs(const std::vector<Mark>& marks, std::size_t first, std::size_t last);
-    void paint_disc_line(const Canvas::Circle& disc, const Pen& pen, double opacity);
+    void paint_disc_line(const Canvas::Circle& disc, Pen pen, double opacity, bool among_many);
     void paint(const Disc&) {}  // drawn by paint_discs
     void paint(const Dot& dot);
     void paint(const Path& path);
@@ -52,6 +56,7 @@ class Painter {
                    Point away);
     void add_outline(const Ring& ring, bool closed, double cost);
 
+    double label_size_;
     const Mapping& map_;
     Rect frame_;
     Theme theme_;
@@ -102,10 +107,16 @@ void Painter::paint_discs(const std::vector<Mark>& marks, std::size_t first, std
         }
     }
     if (pen.fill > 0) canvas_.fill(discs, pen.ink, pen.fill * style.opacity);
-    for (const Canvas::Circle& disc : discs) paint_disc_line(disc, pen, style.opacity);
+    for (const Canvas::Circle& disc : discs)
+        paint_disc_line(disc, pen, style.opacity, discs.size() > many_discs);
 }
 
-void Painter::paint_disc_line(const Canvas::Circle& disc, const Pen& pen, double opacity) {
+void Painter::paint_disc_line(const Canvas::Circle& disc, Pen pen, double opacity,
+                              bool among_many) {
+    if (among_many) {
+        pen.width *= 0.45;
+        pen.doubled = false;
+    }
     // A line never fills the disc that it surrounds.
     const double width = std::clamp(0.22 * disc.radius, std::min(0.8, pen.width), pen.width);
     canvas_.stroke(disc, {pen.ink, width, opacity, pen.dashed});
@@ -126,7 +137,9 @@ void Painter::paint(const Dot& dot) {
     const Point at = map_(dot.at);
     if (!contains(reach_, at)) return;
     const Pen pen = viz::pen(theme_, dot.style.role, dot.style.body);
-    const double radius = dot_radius * dot.size;
+    const double share =
+        frame_.width < narrow_panel || frame_.height < 0.5 * narrow_panel ? 0.7 : 1;
+    const double radius = share * dot_radius * dot.size;
     const double room = radius + halo * std::min(1.0, dot.size);
     canvas_.fill({{at, room}}, ground_, dot.style.opacity);
     canvas_.fill({{at, radius}}, pen.ink, dot.style.opacity);
@@ -203,7 +216,7 @@ void Painter::paint(const Arrow& arrow) {
     const double length = std::hypot(tip.x - tail.x, tip.y - tail.y);
     if (!(length > 1) || (!contains(reach_, tail) && !contains(reach_, tip))) return;
     const Point along{(tip.x - tail.x) / length, (tip.y - tail.y) / length};
-    const double head = std::min(head_length, 0.6 * length);
+    const double head = std::min(head_length, 0.5 * length);
     const double half = head * head_half_width / head_length;
     const Point neck{tip.x - head * along.x, tip.y - head * along.y};
     const Ring tri{tip,
@@ -231,7 +244,7 @@ void Painter::add_words(const Style& style, const std::string& words, Point anch
     Rgb ink = viz::pen(theme_, style.role, style.body).ink;
     if (style.role == Role::node) ink = page_inks(theme_).muted;
     Text text{.words = words,
-              .size = label_size,
+              .size = label_size_,
               .weight = Weight::medium,
               .ink = ink,
               .opacity = style.opacity};
@@ -264,8 +277,8 @@ void Painter::paint_words(const Rect& bounds) {
 
 void paint_marks(const Panel& panel, const PanelPlace& place, Theme theme, Rgb ground,
                  Canvas& canvas) {
-    Painter painter(place, theme, ground, canvas);
-    canvas.clip(panel.axes ? grown(place.frame, 2) : place.frame);
+    Painter painter(place, panel.axes.has_value(), theme, ground, canvas);
+    canvas.clip(panel.axes ? grown(place.frame, 8) : place.frame);
     painter.paint(panel.marks);
     canvas.unclip();
     Rect bounds = grown(place.frame, -6);
@@ -273,6 +286,10 @@ void paint_marks(const Panel& panel, const PanelPlace& place, Theme theme, Rgb g
         bounds = place.frame;
         bounds.width = page_width * (1 - margin_share) - bounds.x;
         bounds.width = std::min(bounds.width, place.title.right() - bounds.x);
+    }
+    if (place.title.y > place.frame.y && place.title.height > 0) {
+        bounds.y += place.title.height;
+        bounds.height -= place.title.height;
     }
     painter.paint_words(bounds);
 }

@@ -4,8 +4,6 @@
 
 namespace viz {
 
-inline constexpr double label_size = 18;
-
 /// Draws the marks of a panel within its frame, in order, then its words, each where it covers
 /// least.
 void paint_marks(const Panel& panel, const PanelPlace& place, Theme theme, Rgb ground,

@@ -23,12 +23,26 @@ struct Grid {
     std::vector<Cell> cells;  ///< one a panel
 };
 
-/// Columns that waste least of a page that wide: about as many columns as rows, weighted by aspect.
+/// The columns that show the panels largest, or what the figure asks for. A plot counts as 3 to 2.
 int chosen_columns(const Figure& figure) {
     if (figure.columns > 0) return figure.columns;
-    const int count = static_cast<int>(figure.panels.size());
-    if (count <= 3) return std::max(1, count);
-    return static_cast<int>(std::ceil(std::sqrt(count * std::max(1.0, figure.aspect * 0.75))));
+    const int count = std::max(1, static_cast<int>(figure.panels.size()));
+    double view_aspect = 1.5;
+    for (const Panel& panel : figure.panels)
+        if (!panel.axes)
+            view_aspect =
+                (panel.view.high.x - panel.view.low.x) / (panel.view.high.y - panel.view.low.y);
+    const double page_aspect = figure.aspect * 1.2;  // what titles and caption leave of the page
+    int best = 1;
+    double most = 0;
+    for (int columns = 1; columns <= count; ++columns) {
+        const int rows = (count + columns - 1) / columns;
+        const double width = std::min(page_aspect / columns, 0.92 / rows * view_aspect);
+        if (width < most * 1.02) continue;
+        most = width;
+        best = columns;
+    }
+    return best;
 }
 
 Grid grid_of(const Figure& figure) {
@@ -137,8 +151,14 @@ Rect cell_rect(const Cell& cell, const Parts& rows, const Parts& columns) {
             rows.start[last_row] + rows.length[last_row] - rows.start[row]};
 }
 
-PanelPlace place_panel(const Panel& panel, Rect cell, Canvas& canvas) {
+/// A panel's title stands above its frame, or within its corner where the rows have titles already.
+PanelPlace place_panel(const Panel& panel, Rect cell, bool title_within, Canvas& canvas) {
     PanelPlace place;
+    if (title_within && !panel.axes) {
+        place.title = {cell.x + 10, cell.y + 6, cell.width - 20, panel.title.empty() ? 0.0 : 22.0};
+        place.frame = cell;
+        return place;
+    }
     const double title = panel.title.empty() ? 0 : 30;
     place.title = {cell.x, cell.y, cell.width, title};
     cell.y += title;
@@ -226,8 +246,9 @@ PageLayout lay_out_page(const Figure& figure, Canvas& canvas) {
     Parts columns;
     place_headings(figure, canvas, grid, content, layout, rows, columns);
     for (std::size_t i = 0; i < figure.panels.size(); ++i)
-        layout.panels.push_back(
-            place_panel(figure.panels[i], cell_rect(grid.cells[i], rows, columns), canvas));
+        layout.panels.push_back(place_panel(figure.panels[i],
+                                            cell_rect(grid.cells[i], rows, columns),
+                                            !figure.row_titles.empty(), canvas));
     const double scale = map_views(figure, layout);
     constexpr double longest_bar = 130;
     if (bar && scale > 0) layout.bar_metres = round_length(longest_bar / scale);
@@ -260,12 +281,13 @@ Text caption_text(const Figure& figure, const PageInks& inks, double width) {
         .words = figure.caption, .size = 17, .ink = inks.muted, .max_width = width, .max_lines = 2};
 }
 
-Text panel_title(const Panel& panel, const PageInks& inks, double width) {
+Text panel_title(const Panel& panel, const PageInks& inks, const PanelPlace& place) {
+    const bool within = !panel.axes && place.title.y > place.frame.y;
     return {.words = panel.title,
-            .size = 18,
-            .weight = Weight::medium,
-            .ink = inks.text,
-            .max_width = width,
+            .size = within ? smallest_text : 18,
+            .weight = within ? Weight::regular : Weight::medium,
+            .ink = within ? inks.muted : inks.text,
+            .max_width = place.title.width,
             .max_lines = 1};
 }
 

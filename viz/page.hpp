@@ -9,6 +9,7 @@ namespace viz {
 inline constexpr double page_width = 1280;
 inline constexpr double margin_share = 0.04;
 inline constexpr double smallest_text = 15;
+inline constexpr double label_size = 18;
 
 /// From a panel's coordinates to the page.
 struct Mapping {
@@ -51,7 +52,7 @@ struct PageLayout {
 [[nodiscard]] Text number_name(const Quantity& number, const PageInks& inks);
 [[nodiscard]] Text number_value(const Quantity& number, const PageInks& inks, double size);
 [[nodiscard]] Text caption_text(const Figure& figure, const PageInks& inks, double width);
-[[nodiscard]] Text panel_title(const Panel& panel, const PageInks& inks, double width);
+[[nodiscard]] Text panel_title(const Panel& panel, const PageInks& inks, const PanelPlace& place);
 [[nodiscard]] Text heading(const std::string& words, const PageInks& inks, double width);
 [[nodiscard]] Text bar_text(const PageLayout& layout, const Figure& figure, const PageInks& inks);
 

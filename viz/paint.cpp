@@ -87,9 +87,9 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas) {
                     {{f.x, f.y}, {f.right(), f.y}, {f.right(), f.bottom()}, {f.x, f.bottom()}}},
                 ground, 1);
         }
-        if (!panel.title.empty())
-            canvas.write(panel_title(panel, inks, place.title.width), top_left(place.title));
         paint_marks(panel, place, theme, ground, canvas);
+        if (!panel.title.empty())
+            canvas.write(panel_title(panel, inks, place), top_left(place.title), &ground);
     }
     paint_foot(figure, layout, inks, canvas);
 }

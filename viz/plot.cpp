@@ -11,7 +11,6 @@ namespace {
 constexpr double tick_size = 15;
 constexpr double name_size = 16;
 constexpr double room_right = 16;
-constexpr double label_size = 17;
 constexpr double room_top = 34;  ///< the vertical axis is named above its top, lying flat
 
 Text tick_text(const std::string& words, const PageInks& inks, Align align) {

@@ -86,6 +86,12 @@ Box bounds(const std::vector<Look>& looks, const std::vector<lod::Body<2>>& bodi
     return box;
 }
 
+Box box_of(const lod::Sphere<2>& ball) {
+    const double x = ball.centre.x();
+    const double y = ball.centre.y();
+    return {{x - ball.radius, y - ball.radius}, {x + ball.radius, y + ball.radius}};
+}
+
 Box united(const Box& a, const Box& b) {
     return {{std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y)},
             {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y)}};

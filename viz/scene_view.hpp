@@ -55,6 +55,7 @@ void add_instant(Run& run, std::vector<lod::Body<2>> bodies_before,
 
 /// The smallest box round all that the bodies show.
 [[nodiscard]] Box bounds(const std::vector<Look>& looks, const std::vector<lod::Body<2>>& bodies);
+[[nodiscard]] Box box_of(const lod::Sphere<2>& ball);
 [[nodiscard]] Box united(const Box& a, const Box& b);
 [[nodiscard]] Box grown(const Box& box, double share);  ///< by that share of its larger side
 

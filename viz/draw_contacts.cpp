@@ -1,0 +1,180 @@
+#include "viz/draw_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "viz/draw_tree.hpp"
+#include "viz/number_text.hpp"
+
+namespace viz {
+namespace {
+
+using Vector2 = lod::Vector<2>;
+
+constexpr std::size_t legible_contacts = 128;
+
+/// The levels of a montage, without those whose contacts would run into each other.
+std::vector<int> legible_levels(const std::vector<lod::Front>& fronts) {
+    std::vector<int> levels = montage_levels(static_cast<int>(fronts.size()));
+    while (levels.size() > 2 &&
+           fronts[static_cast<std::size_t>(levels.back())].pairs.size() > legible_contacts)
+        levels.pop_back();
+    return levels;
+}
+
+/// A box that holds both outlines and the nodes of all contacts shown.
+Box view_of(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
+            const std::vector<int>& levels) {
+    Box view = bounds({a.look, b.look}, {a.body, b.body});
+    for (const int level : levels) {
+        for (const lod::NodePair& pair : fronts[static_cast<std::size_t>(level)].pairs) {
+            view = united(view, box_of(carried_node(a.body, pair.a)));
+            view = united(view, box_of(carried_node(b.body, pair.b)));
+        }
+    }
+    return view;
+}
+
+Panel level_panel(const Actor& a, const Actor& b, const lod::Front& front, lod::PointModel model,
+                  const Box& view) {
+    const std::vector<lod::Contact<2>> contacts = contacts_of(a.body, b.body, front, model);
+    Panel panel;
+    panel.title = "Level " + std::to_string(front.level) + ": " +
+                  count_text(static_cast<long long>(contacts.size()), "contact");
+    panel.view = view;
+    add_body(panel.marks, a, 0);
+    add_body(panel.marks, b, 1);
+    add_meeting_nodes(panel.marks, a.body, b.body, 0, 1, front.pairs, 0.6);
+    add_normals(panel.marks, contacts, 0.14 * longer_side(view));
+    add_contact_points(panel.marks, contacts);
+    return panel;
+}
+
+Vector2 crosswise(const Vector2& v) {
+    return {-v.y(), v.x()};
+}
+
+/// The two balls, the line of their centres and the names of what lies on it.
+void add_balls(Marks& marks, const lod::Sphere<2>& a, const lod::Sphere<2>& b, const Vector2& n) {
+    const auto ball = [&](const lod::Sphere<2>& of, int number) {
+        marks.push_back(
+            Disc{{.role = Role::level_node, .body = number}, point_of(of.centre), of.radius});
+    };
+    ball(a, 0);
+    ball(b, 1);
+    marks.push_back(
+        Polyline{{.role = Role::construction}, {point_of(a.centre), point_of(b.centre)}, 1, {}});
+    const auto radius = [&](const lod::Sphere<2>& of, const Vector2& way, int number,
+                            const char* name) {
+        const Vector2 rim = of.centre + of.radius * way;
+        marks.push_back(Polyline{
+            {.role = Role::velocity, .body = number}, {point_of(of.centre), point_of(rim)}, 1, {}});
+        marks.push_back(Label{{.role = Role::velocity, .body = number},
+                              point_of(of.centre + 0.55 * of.radius * way),
+                              name,
+                              0});
+    };
+    const Vector2 up = crosswise(n);
+    radius(a, (up - 0.45 * n).normalized(), 0, "*R_A*");
+    radius(b, (up + 0.45 * n).normalized(), 1, "*R_B*");
+    const auto centre = [&](const lod::Sphere<2>& of, int number, const char* name) {
+        marks.push_back(Dot{{.role = Role::velocity, .body = number}, point_of(of.centre), 0.8});
+        marks.push_back(
+            Label{{.role = Role::velocity, .body = number}, point_of(of.centre), name, 0});
+    };
+    centre(a, 0, "*o_A*");
+    centre(b, 1, "*o_B*");
+}
+
+/// The chord through both rims and the point where it cuts the centre line.
+void add_plane(Marks& marks, const lod::Sphere<2>& a, const lod::Sphere<2>& b, const Vector2& plane,
+               const Vector2& n) {
+    const double along = (plane - a.centre).dot(n);
+    const double half = std::sqrt(std::max(0.0, a.radius * a.radius - along * along));
+    const double shown = half + 0.12 * std::min(a.radius, b.radius);
+    const Vector2 across = crosswise(n);
+    marks.push_back(Polyline{{.role = Role::reference},
+                             {point_of(plane + shown * across), point_of(plane - shown * across)},
+                             1,
+                             "plane of intersection"});
+    marks.push_back(Dot{{.role = Role::reference}, point_of(plane), 0.8});
+}
+
+}  // namespace
+
+std::vector<lod::Contact<2>> contacts_of(const lod::Body<2>& a, const lod::Body<2>& b,
+                                         const lod::Front& front, lod::PointModel model) {
+    std::vector<lod::Contact<2>> contacts;
+    const Vector2 between = b.position - a.position;
+    for (const lod::NodePair& pair : front.pairs) {
+        const auto contact =
+            lod::model_contact<2>(carried_node(a, pair.a), carried_node(b, pair.b), model, between);
+        if (contact) contacts.push_back(*contact);
+    }
+    return contacts;
+}
+
+Figure contacts_by_level(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
+                         lod::PointModel model, std::vector<int> levels) {
+    if (levels.empty()) levels = legible_levels(fronts);
+    const Box view = view_of(a, b, fronts, levels);
+    Figure figure;
+    figure.title = "One touch of two faces becomes ever more sphere contacts";
+    figure.caption =
+        "Each intersecting pair of nodes gives one contact: its point and its normal, "
+        "from " +
+        literal_text(a.look.name) + " towards " + literal_text(b.look.name) + ".";
+    figure.alt = "The contact of " + a.look.name + " and " + b.look.name + ", level by level.";
+    std::size_t most = 0;
+    for (const int level : levels) {
+        const lod::Front& front = fronts[static_cast<std::size_t>(level)];
+        figure.panels.push_back(level_panel(a, b, front, model, view));
+        figure.alt += " " + figure.panels.back().title + ".";
+        most = std::max(most, contacts_of(a.body, b.body, front, model).size());
+    }
+    figure.numbers = {{"node tests", number_text(static_cast<double>(fronts.back().tests), 9)},
+                      {"most contacts", number_text(static_cast<double>(most), 9)}};
+    return figure;
+}
+
+Figure contact_construction(const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
+    const double d = (b.centre - a.centre).norm();
+    const auto ratio = lod::model_contact<2>(a, b, lod::PointModel::radius_ratio);
+    const auto plane = lod::model_contact<2>(a, b, lod::PointModel::plane_of_intersection);
+    if (!ratio || !plane || d == 0)
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         "cannot draw a contact's construction: the two nodes are apart or share "
+                         "their centre; move them");
+    const Vector2 n = ratio->normal;
+    Figure figure;
+    figure.title = "Where do two nodes touch?";
+    figure.numbers = {{"distance *d*", length_text(d)},
+                      {"*c* by the radii", length_text((ratio->point - a.centre).dot(n))},
+                      {"*c* on the plane", length_text((plane->point - a.centre).dot(n))}};
+    figure.caption =
+        "The point *c* divides the centre line by the radii (equation 5); the plane of "
+        "intersection cuts it elsewhere. Both are measured from *o_A*.";
+    figure.alt = "Two overlapping circles of radius " + length_text(a.radius) + " and " +
+                 length_text(b.radius) + ", centres " + length_text(d) +
+                 " apart. The contact point divides the line between the centres by the radii, " +
+                 figure.numbers[1].value +
+                 " from the first centre; the plane of intersection cuts "
+                 "it at " +
+                 figure.numbers[2].value +
+                 ". The normal points from the first centre to the second.";
+    Panel panel;
+    panel.view = united(box_of(a), box_of(b));
+    add_balls(panel.marks, a, b, n);
+    add_plane(panel.marks, a, b, plane->point, n);
+    panel.marks.push_back(Arrow{{.role = Role::normal},
+                                point_of(ratio->point),
+                                point_of(ratio->point + 0.42 * std::min(a.radius, b.radius) * n),
+                                "*n*"});
+    panel.marks.push_back(Dot{{.role = Role::contact}, point_of(ratio->point), 1.2});
+    panel.marks.push_back(Label{{.role = Role::contact}, point_of(ratio->point), "*c*", 0});
+    figure.panels.push_back(std::move(panel));
+    return figure;
+}
+
+}  // namespace viz

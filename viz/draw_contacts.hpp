@@ -1,0 +1,27 @@
+#pragma once
+
+#include "core/contact.hpp"
+#include "viz/draw_scene.hpp"
+
+namespace viz {
+
+/// One face contact as ever more sphere contacts (the paper's figure 3): one panel a level, with
+/// the nodes that intersect, the contact point of each pair and its normal.
+/// `levels` empty: up to six, and none with more than 128 contacts.
+[[nodiscard]] Figure contacts_by_level(const Actor& a, const Actor& b,
+                                       const std::vector<lod::Front>& fronts,
+                                       lod::PointModel model = lod::PointModel::radius_ratio,
+                                       std::vector<int> levels = {});
+
+/// The contacts of one level's front.
+[[nodiscard]] std::vector<lod::Contact<2>> contacts_of(const lod::Body<2>& a, const lod::Body<2>& b,
+                                                       const lod::Front& front,
+                                                       lod::PointModel model);
+
+/// How the contact point and normal of two overlapping nodes are found (the paper's figure 4): the
+/// centre line, the point that divides it by the radii (eq. 5) and, beside it, the point on the
+/// plane of intersection. Throws lod::Error (input refused) where the nodes are apart or share
+/// their centre.
+[[nodiscard]] Figure contact_construction(const lod::Sphere<2>& a, const lod::Sphere<2>& b);
+
+}  // namespace viz

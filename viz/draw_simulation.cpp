@@ -1,0 +1,186 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/error.hpp"
+#include "viz/draw_motion.hpp"
+#include "viz/draw_plot.hpp"
+#include "viz/number_text.hpp"
+
+namespace viz {
+namespace {
+
+constexpr double contact_seconds = 0.25;  ///< of video that a contact stays to be seen
+constexpr std::size_t most_curve_points = 2000;
+
+/// What does not change from frame to frame.
+struct Stage {
+    std::shared_ptr<const Run> run;
+    SimulationMotion choice;
+    Box view;
+    Curve energy;
+    Curve momentum_x;
+    Curve momentum_y;
+    Panel energy_panel;  ///< of the whole run: gives the view
+    Panel momentum_panel;
+};
+
+Axes over_time(const char* what) {
+    Axes axes;
+    axes.x.label = "time [s]";
+    axes.y.label = what;
+    return axes;
+}
+
+std::shared_ptr<const Stage> stage_of(const Run& run, const SimulationMotion& choice) {
+    if (run.instants.empty())
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         "cannot film a simulation: it has no instants; simulate at least one "
+                         "frame");
+    auto stage = std::make_shared<Stage>();
+    stage->run = std::make_shared<const Run>(run);
+    stage->choice = choice;
+    stage->view = bounds(run, run.instants.size() - 1);
+    stage->energy.name = "energy";
+    stage->momentum_x.name = "*p_x*";
+    stage->momentum_y.name = "*p_y*";
+    stage->momentum_y.series = 1;
+    const std::size_t step = 1 + run.instants.size() / most_curve_points;
+    for (std::size_t i = 0; i < run.instants.size(); i += step) {
+        const Instant& instant = run.instants[i];
+        const std::span<const lod::Body<2>> bodies(instant.bodies);
+        const lod::Vector<2> p = lod::momentum<2>(bodies);
+        stage->energy.points.push_back({instant.time, lod::kinetic_energy<2>(bodies)});
+        stage->momentum_x.points.push_back({instant.time, p.x()});
+        stage->momentum_y.points.push_back({instant.time, p.y()});
+    }
+    stage->energy_panel = plot_panel("", over_time("kinetic energy [J]"), {stage->energy});
+    stage->energy_panel.view.low.y = 0;
+    stage->momentum_panel =
+        plot_panel("", over_time("momentum [kg m/s]"), {stage->momentum_x, stage->momentum_y});
+    return stage;
+}
+
+Curve until(const Curve& curve, double time) {
+    Curve cut = curve;
+    const auto later = std::find_if(cut.points.begin(), cut.points.end(),
+                                    [&](Point p) { return p.x > time + 1e-12; });
+    cut.points.erase(later, cut.points.end());
+    if (cut.points.empty()) cut.points.push_back(curve.points.front());
+    return cut;
+}
+
+Panel plot_until(const Panel& whole, const std::vector<Curve>& curves, double time) {
+    std::vector<Curve> cut;
+    for (const Curve& curve : curves) cut.push_back(until(curve, time));
+    // A run of one instant has no time to show.
+    Box view = whole.view;
+    if (view.high.x <= view.low.x) view.high.x = view.low.x + 1;
+    Panel panel = plot_panel("", *whole.axes, cut, view);
+    for (const Curve& curve : cut)
+        panel.marks.push_back(
+            Dot{{.role = Role::curve, .body = curve.series}, curve.points.back(), 0.7});
+    return panel;
+}
+
+void add_recent_trails(Marks& marks, const Stage& stage, double time,
+                       const std::vector<lod::Body<2>>& bodies) {
+    const Run& run = *stage.run;
+    const double from = std::max(0.0, time - stage.choice.trail);
+    const auto first = static_cast<std::size_t>(std::ceil(from / run.time_step - 1e-9));
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].is_static()) continue;
+        Polyline path{{.role = Role::trajectory, .body = static_cast<int>(b)}, {}, 0.0, {}};
+        for (std::size_t i = first; i < run.instants.size() && run.instants[i].time <= time; ++i)
+            path.points.push_back(point_of(run.instants[i].bodies[b].position));
+        path.points.push_back(point_of(bodies[b].position));
+        if (path.points.size() > 1) marks.push_back(std::move(path));
+    }
+}
+
+/// The contacts resolved a moment ago, fading.
+void add_recent_contacts(Marks& marks, const Stage& stage, double time) {
+    const Run& run = *stage.run;
+    const double seen = contact_seconds * stage.choice.speed;
+    const auto first =
+        static_cast<std::size_t>(std::max(0.0, std::ceil((time - seen) / run.time_step)));
+    for (std::size_t i = first; i < run.instants.size() && run.instants[i].time <= time; ++i) {
+        const lod::FrameRecord<2>& record = run.instants[i].record;
+        std::vector<lod::Contact<2>> pushed;
+        for (std::size_t c = 0; c < record.impacts.size(); ++c)
+            if (record.impulses[c] > 0) pushed.push_back(record.impacts[c].contact);
+        const double age = (time - run.instants[i].time) / seen;
+        add_contact_points(marks, pushed, std::clamp(1 - age, 0.0, 1.0));
+    }
+}
+
+Panel scene_panel(const Stage& stage, double time) {
+    const std::vector<lod::Body<2>> bodies = bodies_at(*stage.run, time);
+    Panel panel;
+    panel.view = stage.view;
+    add_recent_trails(panel.marks, stage, time, bodies);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        const Look look = b < stage.run->looks.size() ? stage.run->looks[b] : Look{};
+        add_body(panel.marks, {look, bodies[b]}, static_cast<int>(b));
+    }
+    add_recent_contacts(panel.marks, stage, time);
+    return panel;
+}
+
+const lod::FrameRecord<2>& record_at(const Run& run, double time) {
+    return run.instants[instant_at(run, time)].record;
+}
+
+Figure picture(const Stage& stage, double time) {
+    const Run& run = *stage.run;
+    const lod::FrameRecord<2>& record = record_at(run, time);
+    const double energy = until(stage.energy, time).points.back().y;
+    Figure figure;
+    figure.title = stage.choice.title.empty() ? literal_text(run.name) : stage.choice.title;
+    figure.caption = stage.choice.caption;
+    figure.numbers = {{"time", fixed_text(time, 2) + "\u00A0s"},
+                      {"energy", quantity_text(energy, "J")},
+                      {"node tests", number_text(static_cast<double>(record.tests), 9)}};
+    figure.alt = plain_text(figure.title) + ": " +
+                 count_text(static_cast<long long>(run.instants.front().bodies.size()), "body") +
+                 " after " + quantity_text(time, "s") + ", kinetic energy " +
+                 quantity_text(energy, "J") + ", " +
+                 count_text(static_cast<long long>(record.impacts.size()), "contact") + ".";
+    figure.panels.push_back(scene_panel(stage, time));
+    if (!stage.choice.plots) return figure;
+    figure.columns = 2;
+    figure.column_weights = {1.75, 1};
+    figure.panels[0].cell = Cell{0, 0, 2, 1};
+    figure.panels.push_back(plot_until(stage.energy_panel, {stage.energy}, time));
+    figure.panels.back().cell = Cell{0, 1};
+    figure.panels.push_back(
+        plot_until(stage.momentum_panel, {stage.momentum_x, stage.momentum_y}, time));
+    figure.panels.back().cell = Cell{1, 1};
+    return figure;
+}
+
+}  // namespace
+
+Figure simulation_picture(const Run& run, double time, const SimulationMotion& choice) {
+    return picture(*stage_of(run, choice), time);
+}
+
+Animation simulation_motion(const Run& run, const SimulationMotion& choice) {
+    if (!(choice.speed > 0) || !(choice.frames_per_second >= 1))
+        throw lod::Error(lod::ErrorKind::usage,
+                         "cannot film a simulation: its speed and frame rate must be above zero; "
+                         "give positive numbers");
+    const auto stage = stage_of(run, choice);
+    const double end = run.instants.back().time;
+    const int frames = 1 + static_cast<int>(end / choice.speed * choice.frames_per_second);
+    Animation animation;
+    animation.frames_per_second = choice.frames_per_second;
+    animation.title = choice.title.empty() ? run.name : choice.title;
+    for (int i = 0; i < frames; ++i) {
+        const double time = std::min(end, i * choice.speed / choice.frames_per_second);
+        animation.shots.push_back({[stage, time] { return picture(*stage, time); }, 1});
+    }
+    return animation;
+}
+
+}  // namespace viz
