@@ -10,9 +10,6 @@ struct ImpactMotion {
     double slow = 0.25;  ///< speed near an impact, as a share of the usual one
     std::string title = "The same collision, interrupted at different levels";
     std::string caption = "Slow near the impact; paused while its marks appear.";
-    paused while the nodes that intersect, the
-        "
-        "contacts, the normals and the impulse appear.";
 };
 
 /// One collision as a video, the runs side by side (LOOK: "Motion"): quick at first, slow at the
