@@ -4,70 +4,19 @@
 #include <numeric>
 #include <utility>
 
+#include "core/newton.hpp"
+
 namespace lod {
 namespace {
 
-std::size_t at(std::int32_t index) { return static_cast<std::size_t>(index); }
-
-template <int Dim>
-double pair_restitution(const Body<Dim>& a, const Body<Dim>& b) {
-    return std::min(a.restitution, b.restitution);
-}
-
-/// What a unit impulse along n at arm r adds to the body's velocity there, along n.
-template <int Dim>
-double compliance(const Body<Dim>& body, const Inertia<Dim>& inverse_inertia, const Vector<Dim>& r,
-                  const Vector<Dim>& n) {
-    const Spin<Dim> turning = Space<Dim>::moment(r, n);
-    return body.inverse_mass + turning.dot(inverse_inertia * turning);
-}
-
-template <int Dim>
-void push(Body<Dim>& body, const Inertia<Dim>& inverse_inertia, const Vector<Dim>& impulse,
-          const Spin<Dim>& moment) {
-    body.velocity += body.inverse_mass * impulse;
-    body.spin += inverse_inertia * moment;
+std::size_t at(std::int32_t index) {
+    return static_cast<std::size_t>(index);
 }
 
 }  // namespace
 
 template <int Dim>
-double closing_velocity(const Body<Dim>& a, const Body<Dim>& b, const Contact<Dim>& contact) {
-    const Vector<Dim> r_a = contact.point - a.position;
-    const Vector<Dim> r_b = contact.point - b.position;
-    return contact.normal.dot(velocity_at(b, r_b) - velocity_at(a, r_a));
-}
-
-template <int Dim>
-double inverse_effective_mass(const Body<Dim>& a, const Body<Dim>& b,
-                              const Contact<Dim>& contact) {
-    const Vector<Dim> r_a = contact.point - a.position;
-    const Vector<Dim> r_b = contact.point - b.position;
-    return compliance<Dim>(a, world_inverse_inertia(a), r_a, contact.normal) +
-           compliance<Dim>(b, world_inverse_inertia(b), r_b, contact.normal);
-}
-
-template <int Dim>
-double single_impulse(const Body<Dim>& a, const Body<Dim>& b, const Contact<Dim>& contact) {
-    const double v_c = closing_velocity(a, b, contact);
-    if (v_c >= 0) return 0;  // already parting
-    const double K = inverse_effective_mass(a, b, contact);
-    if (K == 0) return 0;  // neither can move
-    return -(1 + pair_restitution(a, b)) * v_c / K;
-}
-
-template <int Dim>
-void apply_impulse(Body<Dim>& a, Body<Dim>& b, const Contact<Dim>& contact, double j) {
-    const Vector<Dim> impulse = j * contact.normal;
-    const Vector<Dim> r_a = contact.point - a.position;
-    const Vector<Dim> r_b = contact.point - b.position;
-    push<Dim>(a, world_inverse_inertia(a), -impulse, -Space<Dim>::moment(r_a, impulse));
-    push<Dim>(b, world_inverse_inertia(b), impulse, Space<Dim>::moment(r_b, impulse));
-}
-
-template <int Dim>
-void Resolver<Dim>::resolve(Response response, std::span<const Impact<Dim>> impacts,
-                            std::span<Body<Dim>> bodies, std::vector<double>& impulses) {
+void Resolver<Dim>::resolve(Response response, Impacts impacts, Bodies bodies, Impulses& impulses) {
     rounds_ = 0;
     impulses.assign(impacts.size(), 0.0);
     if (impacts.empty()) return;
@@ -78,18 +27,37 @@ void Resolver<Dim>::resolve(Response response, std::span<const Impact<Dim>> impa
     push_.resize(bodies.size());
     marked_.resize(bodies.size(), 0);
     switch (response) {
-        case Response::net:
-            find_islands(impacts, bodies);
-            for (const Island& island : islands_) resolve_net(island, impacts, bodies, impulses);
+        case Response::sum:
+            return resolve_independently(false, impacts, bodies, impulses);
+        case Response::mean:
+            return resolve_independently(true, impacts, bodies, impulses);
+        default:
             break;
-        case Response::sum: resolve_independently(false, impacts, bodies, impulses); break;
-        case Response::mean: resolve_independently(true, impacts, bodies, impulses); break;
+    }
+    find_islands(impacts, bodies);
+    for (const Island& island : islands_) {
+        const double fastest = fastest_approach(island, impacts, bodies);
+        if (fastest <= 0) continue;
+        const double threshold = settled_share * fastest;
+        switch (response) {
+            case Response::sequential:
+                sequential_sweeps(island, threshold, impacts, bodies, impulses);
+                break;
+            case Response::lcp:
+                resolve_lcp(island, impacts, bodies, impulses);
+                break;
+            case Response::reflections:
+                resolve_reflections(island, threshold, impacts, bodies, impulses);
+                break;
+            default:
+                resolve_net(island, threshold, impacts, bodies, impulses);
+                break;
+        }
     }
 }
 
 template <int Dim>
-void Resolver<Dim>::find_islands(std::span<const Impact<Dim>> impacts,
-                                 std::span<const Body<Dim>> bodies) {
+void Resolver<Dim>::find_islands(Impacts impacts, std::span<const Body<Dim>> bodies) {
     root_.resize(bodies.size());
     std::iota(root_.begin(), root_.end(), 0);
     const auto find = [&](std::int32_t body) {
@@ -123,16 +91,34 @@ void Resolver<Dim>::find_islands(std::span<const Impact<Dim>> impacts,
 }
 
 template <int Dim>
-void Resolver<Dim>::resolve_net(const Island& island, std::span<const Impact<Dim>> impacts,
-                                std::span<Body<Dim>> bodies, std::vector<double>& impulses) {
+double Resolver<Dim>::fastest_approach(const Island& island, Impacts impacts,
+                                       std::span<const Body<Dim>> bodies) const {
     double fastest = 0;
-    for (std::int32_t i = island.first; i < island.first + island.count; ++i) {
-        const Impact<Dim>& impact = impacts[at(order_[at(i)])];
-        fastest = std::max(fastest, -closing_velocity(bodies[at(impact.a)], bodies[at(impact.b)],
-                                                      impact.contact));
+    for (std::int32_t contact : contacts_of(island)) {
+        const Impact<Dim>& impact = impacts[at(contact)];
+        fastest = std::max(
+            fastest, -closing_velocity(bodies[at(impact.a)], bodies[at(impact.b)], impact.contact));
     }
-    if (fastest <= 0) return;
-    const double threshold = settled_share * fastest;
+    return fastest;
+}
+
+template <int Dim>
+double Resolver<Dim>::newton_tolerance(const Island& island, Impacts impacts,
+                                       std::span<const Body<Dim>> bodies) const {
+    double fastest = 0;
+    for (std::int32_t contact : contacts_of(island)) {
+        const Impact<Dim>& impact = impacts[at(contact)];
+        for (const std::int32_t body : {impact.a, impact.b}) {
+            const Vector<Dim> r = impact.contact.point - bodies[at(body)].position;
+            fastest = std::max(fastest, velocity_at<Dim>(bodies[at(body)], r).norm());
+        }
+    }
+    return newton_share * fastest;
+}
+
+template <int Dim>
+void Resolver<Dim>::resolve_net(const Island& island, double threshold, Impacts impacts,
+                                Bodies bodies, Impulses& impulses) {
     int round = 0;
     while (round < most_net_rounds && net_round(island, threshold, impacts, bodies, impulses))
         ++round;
@@ -140,12 +126,53 @@ void Resolver<Dim>::resolve_net(const Island& island, std::span<const Impact<Dim
     if (round == most_net_rounds) sequential_sweeps(island, threshold, impacts, bodies, impulses);
 }
 
+template <int Dim>
+void Resolver<Dim>::resolve_lcp(const Island& island, Impacts impacts, Bodies bodies,
+                                Impulses& impulses) {
+    target_.resize(impacts.size());
+    for (std::int32_t contact : contacts_of(island)) {
+        const auto& [a, b, pair, touch] = impacts[at(contact)];
+        const double u = closing_velocity(bodies[at(a)], bodies[at(b)], touch);
+        target_[at(contact)] = -pair_restitution(bodies[at(a)], bodies[at(b)]) * u;
+    }
+    rounds_ = std::max(
+        rounds_, solve_newton<Dim>(contacts_of(island), impacts, inverse_inertia_, target_,
+                                   newton_tolerance(island, impacts, bodies), bodies, impulses));
+}
+
+template <int Dim>
+void Resolver<Dim>::resolve_reflections(const Island& island, double threshold, Impacts impacts,
+                                        Bodies bodies, Impulses& impulses) {
+    target_.assign(impacts.size(), 0.0);
+    for (int round = 0; round < most_reflections; ++round) {
+        violated_.clear();
+        for (std::int32_t contact : contacts_of(island)) {
+            const auto& [a, b, pair, touch] = impacts[at(contact)];
+            if (closing_velocity(bodies[at(a)], bodies[at(b)], touch) < -threshold)
+                violated_.push_back(contact);
+        }
+        if (violated_.empty()) return;
+        rounds_ = std::max(rounds_, round + 1);
+        // Onto the border of what is allowed, and e times as far beyond: a reflection at e = 1.
+        solve_newton<Dim>(violated_, impacts, inverse_inertia_, target_,
+                          newton_tolerance(island, impacts, bodies), bodies, direction_);
+        for (std::int32_t contact : violated_) {
+            const auto& [a, b, pair, touch] = impacts[at(contact)];
+            Body<Dim>& body_a = bodies[at(a)];
+            Body<Dim>& body_b = bodies[at(b)];
+            const double beyond = pair_restitution(body_a, body_b) * direction_[at(contact)];
+            apply_impulse(body_a, inverse_inertia_[at(a)], body_b, inverse_inertia_[at(b)], touch,
+                          beyond);
+            impulses[at(contact)] += direction_[at(contact)] + beyond;
+        }
+    }
+}
+
 /// Returns false when no contact of the island approaches any more.
 template <int Dim>
-bool Resolver<Dim>::net_round(const Island& island, double threshold,
-                              std::span<const Impact<Dim>> impacts, std::span<Body<Dim>> bodies,
-                              std::vector<double>& impulses) {
-    const auto contacts = std::span(order_).subspan(at(island.first), at(island.count));
+bool Resolver<Dim>::net_round(const Island& island, double threshold, Impacts impacts,
+                              Bodies bodies, Impulses& impulses) {
+    const auto contacts = contacts_of(island);
     for (std::int32_t contact : contacts) {
         push_[at(impacts[at(contact)].a)] = {Vector<Dim>::Zero(), Spin<Dim>::Zero()};
         push_[at(impacts[at(contact)].b)] = {Vector<Dim>::Zero(), Spin<Dim>::Zero()};
@@ -160,8 +187,8 @@ bool Resolver<Dim>::net_round(const Island& island, double threshold,
         if (u >= -threshold) continue;
         const Vector<Dim> r_a = touch.point - body_a.position;
         const Vector<Dim> r_b = touch.point - body_b.position;
-        const double K = compliance<Dim>(body_a, inverse_inertia_[at(a)], r_a, touch.normal) +
-                         compliance<Dim>(body_b, inverse_inertia_[at(b)], r_b, touch.normal);
+        const double K = inverse_effective_mass(body_a, inverse_inertia_[at(a)], body_b,
+                                                inverse_inertia_[at(b)], touch);
         if (K == 0) continue;
         const double d = -u / K;
         direction_[at(contact)] = d;
@@ -187,21 +214,19 @@ bool Resolver<Dim>::net_round(const Island& island, double threshold,
     if (dAd <= 0) return false;
     const double s = work / dAd;
     each_body_once([&](std::size_t i) {
-        push<Dim>(bodies[i], inverse_inertia_[i], s * push_[i].linear, s * push_[i].angular);
+        bodies[i].velocity += bodies[i].inverse_mass * (s * push_[i].linear);
+        bodies[i].spin += inverse_inertia_[i] * (s * push_[i].angular);
     });
     for (std::int32_t contact : contacts) impulses[at(contact)] += s * direction_[at(contact)];
     return true;
 }
 
 template <int Dim>
-void Resolver<Dim>::sequential_sweeps(const Island& island, double threshold,
-                                      std::span<const Impact<Dim>> impacts,
-                                      std::span<Body<Dim>> bodies,
-                                      std::vector<double>& impulses) {
+void Resolver<Dim>::sequential_sweeps(const Island& island, double threshold, Impacts impacts,
+                                      Bodies bodies, Impulses& impulses) {
     for (int sweep = 0; sweep < most_sequential_sweeps; ++sweep) {
         bool approaching = false;
-        for (std::int32_t i = island.first; i < island.first + island.count; ++i) {
-            const std::int32_t contact = order_[at(i)];
+        for (std::int32_t contact : contacts_of(island)) {
             const auto& [a, b, pair, touch] = impacts[at(contact)];
             if (closing_velocity(bodies[at(a)], bodies[at(b)], touch) >= -threshold) continue;
             const double j = single_impulse(bodies[at(a)], bodies[at(b)], touch);
@@ -214,13 +239,12 @@ void Resolver<Dim>::sequential_sweeps(const Island& island, double threshold,
 }
 
 template <int Dim>
-void Resolver<Dim>::resolve_independently(bool mean, std::span<const Impact<Dim>> impacts,
-                                          std::span<Body<Dim>> bodies,
-                                          std::vector<double>& impulses) {
+void Resolver<Dim>::resolve_independently(bool mean, Impacts impacts, Bodies bodies,
+                                          Impulses& impulses) {
     // All impulses from the velocities before the first of them is applied.
     for (std::size_t i = 0; i < impacts.size(); ++i)
-        impulses[i] = single_impulse(bodies[at(impacts[i].a)], bodies[at(impacts[i].b)],
-                                     impacts[i].contact);
+        impulses[i] =
+            single_impulse(bodies[at(impacts[i].a)], bodies[at(impacts[i].b)], impacts[i].contact);
     for (std::size_t first = 0; first < impacts.size();) {
         std::size_t end = first;
         int approaching = 0;
@@ -234,15 +258,7 @@ void Resolver<Dim>::resolve_independently(bool mean, std::span<const Impact<Dim>
     }
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                     \
-    template double closing_velocity(const Body<Dim>&, const Body<Dim>&, const Contact<Dim>&);   \
-    template double inverse_effective_mass(const Body<Dim>&, const Body<Dim>&,                   \
-                                           const Contact<Dim>&);                                 \
-    template double single_impulse(const Body<Dim>&, const Body<Dim>&, const Contact<Dim>&);     \
-    template void apply_impulse(Body<Dim>&, Body<Dim>&, const Contact<Dim>&, double);            \
-    template class Resolver<Dim>;
-LOD_INSTANTIATE(2)
-LOD_INSTANTIATE(3)
-#undef LOD_INSTANTIATE
+template class Resolver<2>;
+template class Resolver<3>;
 
 }  // namespace lod

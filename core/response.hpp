@@ -4,46 +4,22 @@
 #include <span>
 #include <vector>
 
-#include "core/contact.hpp"
+#include "core/impact.hpp"
 
 namespace lod {
 
-/// One contact of the response stage: what touches, where, and which collision it belongs to.
-template <int Dim>
-struct Impact {
-    std::int32_t a = 0;     ///< index of body A
-    std::int32_t b = 0;     ///< index of body B
-    std::int32_t pair = 0;  ///< contacts of one body pair carry the same number
-    Contact<Dim> contact;
-};
-
 /// How the impulses of many contacts become one change of velocities.
 enum class Response {
-    net,   ///< the energy-exact net impulse (default)
-    sum,   ///< teaching: the sum of independent impulses; multiplies energy
-    mean,  ///< teaching: the mean of them per body pair; loses energy
+    net,         ///< the energy-exact net impulse (default)
+    sum,         ///< teaching: the sum of independent impulses; multiplies energy
+    mean,        ///< teaching: the mean of them per body pair; loses energy
+    sequential,  ///< reference: equation (1) contact after contact until none approaches
+    /// Reference: frictionless Newton impacts, all contacts at once: u+ >= -e u. Never adds energy,
+    /// but a contact that was parting at u may approach at e u afterwards.
+    lcp,
+    reflections,  ///< reference: generalised reflections (Smith, Kaufman, Vouga, Tamstorf and
+                  ///< Grinspun, Reflections on Simultaneous Impact, 2012)
 };
-
-/// Closing velocity v_c at a contact (paper, eq. 3): the normal part of B's velocity relative to
-/// A's [m/s]. Negative when the bodies approach.
-template <int Dim>
-[[nodiscard]] double closing_velocity(const Body<Dim>& a, const Body<Dim>& b,
-                                      const Contact<Dim>& contact);
-
-/// K of equation (1) [1/kg]: how much v_c changes for a unit impulse along the normal.
-template <int Dim>
-[[nodiscard]] double inverse_effective_mass(const Body<Dim>& a, const Body<Dim>& b,
-                                            const Contact<Dim>& contact);
-
-/// The impulse of a single contact (paper, eq. 1) [N s], >= 0; 0 when the bodies are parting
-/// already or neither can move. Restitution is the smaller of the two.
-template <int Dim>
-[[nodiscard]] double single_impulse(const Body<Dim>& a, const Body<Dim>& b,
-                                    const Contact<Dim>& contact);
-
-/// Pushes B along +n and A along -n with the impulse j [N s] at the contact point.
-template <int Dim>
-void apply_impulse(Body<Dim>& a, Body<Dim>& b, const Contact<Dim>& contact, double j);
 
 /// Resolves all contacts of an instant: changes the velocities and spins of the bodies and writes
 /// the total impulse of each contact (>= 0, same order as `impacts`).
@@ -67,6 +43,10 @@ class Resolver {
     /// A contact counts as approaching only beyond this share of the largest closing speed that the
     /// island began with.
     static constexpr double settled_share = 1e-12;
+    /// Newton impacts are solved until a sweep changes no closing velocity by more than this share
+    /// of the fastest contact point's speed: some ten units of rounding.
+    static constexpr double newton_share = 2e-15;
+    static constexpr int most_reflections = 1000;
 
     void resolve(Response response, std::span<const Impact<Dim>> impacts,
                  std::span<Body<Dim>> bodies, std::vector<double>& impulses);
@@ -84,23 +64,38 @@ class Resolver {
         Spin<Dim> angular;
     };
 
-    void find_islands(std::span<const Impact<Dim>> impacts, std::span<const Body<Dim>> bodies);
-    void resolve_net(const Island& island, std::span<const Impact<Dim>> impacts,
-                     std::span<Body<Dim>> bodies, std::vector<double>& impulses);
-    bool net_round(const Island& island, double threshold, std::span<const Impact<Dim>> impacts,
-                   std::span<Body<Dim>> bodies, std::vector<double>& impulses);
-    void sequential_sweeps(const Island& island, double threshold,
-                           std::span<const Impact<Dim>> impacts, std::span<Body<Dim>> bodies,
-                           std::vector<double>& impulses);
-    void resolve_independently(bool mean, std::span<const Impact<Dim>> impacts,
-                               std::span<Body<Dim>> bodies, std::vector<double>& impulses);
+    using Impacts = std::span<const Impact<Dim>>;
+    using Bodies = std::span<Body<Dim>>;
+    using Impulses = std::vector<double>;
+
+    void find_islands(Impacts impacts, std::span<const Body<Dim>> bodies);
+    [[nodiscard]] std::span<const std::int32_t> contacts_of(const Island& island) const {
+        return std::span(order_).subspan(static_cast<std::size_t>(island.first),
+                                         static_cast<std::size_t>(island.count));
+    }
+    [[nodiscard]] double fastest_approach(const Island& island, Impacts impacts,
+                                          std::span<const Body<Dim>> bodies) const;
+    void resolve_net(const Island& island, double threshold, Impacts impacts, Bodies bodies,
+                     Impulses& impulses);
+    bool net_round(const Island& island, double threshold, Impacts impacts, Bodies bodies,
+                   Impulses& impulses);
+    void sequential_sweeps(const Island& island, double threshold, Impacts impacts, Bodies bodies,
+                           Impulses& impulses);
+    [[nodiscard]] double newton_tolerance(const Island& island, Impacts impacts,
+                                          std::span<const Body<Dim>> bodies) const;
+    void resolve_lcp(const Island& island, Impacts impacts, Bodies bodies, Impulses& impulses);
+    void resolve_reflections(const Island& island, double threshold, Impacts impacts, Bodies bodies,
+                             Impulses& impulses);
+    void resolve_independently(bool mean, Impacts impacts, Bodies bodies, Impulses& impulses);
 
     std::vector<Inertia<Dim>> inverse_inertia_;  ///< world frame, of each body
     std::vector<std::int32_t> root_;             ///< union-find over bodies
     std::vector<std::int32_t> order_;            ///< contacts, island by island
     std::vector<Island> islands_;
     std::vector<double> direction_;  ///< d of each contact
-    std::vector<Push> push_;         ///< of each body
+    std::vector<double> target_;     ///< least closing velocity of each contact after the impact
+    std::vector<std::int32_t> violated_;
+    std::vector<Push> push_;             ///< of each body
     std::vector<std::uint64_t> marked_;  ///< of each body: the last sweep that counted it
     std::uint64_t mark_ = 0;
     int rounds_ = 0;
