@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <new>
 #include <numbers>
 
@@ -50,6 +49,12 @@ void check(cairo_status_t status) {
     throw lod::Error(lod::ErrorKind::output_failed,
                      std::string("cannot draw the figure: the drawing library says \"") +
                          cairo_status_to_string(status) + "\"; draw it smaller");
+}
+
+std::string valid_utf8(const std::string& words) {
+    const std::unique_ptr<char, void (*)(void*)> valid(g_utf8_make_valid(words.c_str(), -1),
+                                                       g_free);
+    return valid.get();
 }
 
 std::string escaped(char c) {
@@ -171,10 +176,8 @@ void Canvas::State::set_text(const Text& text) const {
     pango_layout_set_height(layout.get(), wraps ? -std::max(1, text.max_lines) : -1);
     pango_layout_set_ellipsize(layout.get(), wraps ? PANGO_ELLIPSIZE_END : PANGO_ELLIPSIZE_NONE);
 
-    const std::unique_ptr<char, void (*)(void*)> valid(
-        g_utf8_make_valid(text.words.c_str(), static_cast<gssize>(std::strlen(text.words.c_str()))),
-        g_free);
-    const std::string marked = "<span font_features=\"tnum=1\">" + markup(valid.get()) + "</span>";
+    const std::string marked =
+        "<span font_features=\"tnum=1\">" + markup(valid_utf8(text.words)) + "</span>";
     pango_layout_set_markup(layout.get(), marked.c_str(), static_cast<int>(marked.size()));
 }
 
@@ -298,7 +301,9 @@ void Canvas::unclip() {
     cairo_restore(state_->context.get());
 }
 
-std::string Canvas::bytes(const std::string& title, const std::string& alt) {
+std::string Canvas::bytes(const std::string& title_words, const std::string& alt_words) {
+    const std::string title = valid_utf8(title_words);
+    const std::string alt = valid_utf8(alt_words);
     cairo_surface_t* surface = state_->surface.get();
     check(cairo_status(state_->context.get()));
     if (state_->format == PageFormat::image) {
