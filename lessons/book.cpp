@@ -1,5 +1,7 @@
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdlib>
 #include <kainjow/mustache.hpp>
@@ -147,12 +149,20 @@ class BookWriter {
         return !ending_.empty() && !lesson.animation.shots.empty();
     }
 
+    /// Letters, digits and underscores: a space would part the addresses of a srcset.
+    static std::string file_name(std::string name) {
+        for (char& c : name)
+            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+        return name;
+    }
+
     std::string write_one(const fs::path& folder, const std::string& name,
                           const viz::Figure& figure, viz::Theme theme) {
         viz::WriteOptions how;
         how.theme = theme;
         how.warn = options_.warn;
-        const std::string file = name + (theme == viz::Theme::dark ? "_dark" : "_light") + ".svg";
+        const std::string file =
+            file_name(name) + (theme == viz::Theme::dark ? "_dark" : "_light") + ".svg";
         viz::write_svg(folder / file, figure, how);
         return file;
     }

@@ -7,8 +7,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <set>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -76,6 +78,13 @@ std::string between(const std::string& text, const std::string& open, const std:
     return found;
 }
 
+/// Hyphens as operators become minus signs, for browsers without a mathematical font.
+std::string with_minus_signs(std::string mathml) {
+    for (std::size_t at = mathml.find(">-<"); at != std::string::npos; at = mathml.find(">-<", at))
+        mathml.replace(at, 3, ">\u2212<");
+    return mathml;
+}
+
 std::string to_mathml(const std::string& blahtexml, const lessons::Equation& equation,
                       const std::string& where) {
     if (equation.latex.find("{{") != std::string::npos)
@@ -86,30 +95,54 @@ std::string to_mathml(const std::string& blahtexml, const lessons::Equation& equ
     if (equation.display) arguments.push_back("--displaymath");
     const std::string answer = run(blahtexml, arguments, equation.latex);
     const std::string error = between(answer, "<message>", "</message>");
-    const std::string markup = between(answer, "<markup>", "</markup>");
+    const std::string markup = with_minus_signs(between(answer, "<markup>", "</markup>"));
     if (!error.empty() || markup.empty())
         refuse(where + ": equation " + equation.key() + ": " + error);
     return std::string("<math") + (equation.display ? " display=\"block\"" : "") + ">" + markup +
            "</math>";
 }
 
+/// The listings of all sources of a lesson.
+std::map<std::string, std::string> own_listings(const std::string& folder) {
+    std::map<std::string, std::string> listings;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::string file = entry.path().string();
+        if (entry.path().extension() == ".cpp")
+            listings.merge(lessons::find_listings(read(file), file));
+    }
+    return listings;
+}
+
+/// The definition in a file, or in the one file of a folder ("core/") that has it.
+std::string definition_in(const std::string& place, const std::string& name) {
+    if (!place.ends_with("/")) return lessons::find_definition(read(place), name, place);
+    std::set<std::string> files;
+    for (const auto& entry : std::filesystem::directory_iterator(place))
+        if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
+            files.insert(entry.path().string());
+    for (const std::string& file : files) {
+        const std::string code = read(file);
+        if (lessons::has_definition(code, name)) return lessons::find_definition(code, name, file);
+    }
+    refuse(place + ": no definition of '" + name + "' in this folder");
+}
+
 Source read_lesson(const std::string& root, const std::string& slug, const std::string& blahtexml) {
     const std::string folder = root + "/lessons/" + slug;
     const std::string where = folder + "/lesson.md";
     Source source{slug, read(where), {}, {}};
-    const auto own = lessons::find_listings(read(folder + "/lesson.cpp"), folder + "/lesson.cpp");
+    const auto own = own_listings(folder);
     for (const lessons::Tag& tag : lessons::find_tags(source.markdown, where)) {
         if (tag.kind != "listing") continue;
         const std::size_t space = tag.name.find(' ');
         if (tag.name.find('/') < space && space != std::string::npos) {
-            const std::string file = root + "/" + tag.name.substr(0, space);
             source.listings[tag.name] =
-                lessons::find_definition(read(file), tag.name.substr(space + 1), file);
+                definition_in(root + "/" + tag.name.substr(0, space), tag.name.substr(space + 1));
         } else if (const auto found = own.find(tag.name); found != own.end()) {
             source.listings.insert(*found);
         } else {
             refuse(where + ":" + std::to_string(lessons::line_of(source.markdown, tag.begin)) +
-                   ": no listing '" + tag.name + "' in lesson.cpp");
+                   ": no listing '" + tag.name + "' in the sources beside it");
         }
     }
     for (const lessons::Equation& equation : lessons::find_equations(source.markdown))

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <limits>
 
 namespace lessons {
 
@@ -16,22 +17,21 @@ std::string shown(double value, int decimals) {
     return (zero ? "" : "−") + text.substr(1);
 }
 
-std::string shown_count(std::uint64_t value) {
-    std::string text = std::to_string(value);
+std::string grouped(std::string digits) {
     constexpr std::size_t group = 3;
     constexpr std::size_t shortest = 5;  // 1000 reads well as it is
-    if (text.size() < shortest) return text;
-    for (std::size_t place = text.size(); place > group; place -= group)
-        text.insert(place - group, "\u202f");
-    return text;
+    if (digits.size() < shortest) return digits;
+    for (std::size_t place = digits.size(); place > group; place -= group)
+        digits.insert(place - group, "\u202f");
+    return digits;
+}
+
+std::string with_unit(std::string number, const std::string& unit) {
+    return unit.empty() ? number : number + "\u00a0" + unit;
 }
 
 Number number(double value, int decimals, const std::string& unit) {
-    return {value, shown(value, decimals) + (unit.empty() ? "" : "\u00a0" + unit)};
-}
-
-Number count(std::uint64_t value, const std::string& unit) {
-    return {static_cast<double>(value), shown_count(value) + (unit.empty() ? "" : "\u00a0" + unit)};
+    return {value, with_unit(shown(value, decimals), unit)};
 }
 
 lod2d::Shape scaled(const lod2d::Shape& shape, double factor) {
@@ -63,6 +63,18 @@ viz::Actor actor(const std::string& name, const lod2d::Shape& shape,
     lod::set_mass(result.body, shape.area, lod::Inertia<2>::Constant(shape.second_moment));
     result.body.tree = std::move(tree);
     return result;
+}
+
+std::shared_ptr<const lod::SphereTree<2>> tree_of(const lod2d::Shape& shape, int depth,
+                                                  lod2d::Builder builder) {
+    lod2d::TreeSettings settings;
+    settings.builder = builder;
+    settings.depth = depth;
+    return std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(shape, settings));
+}
+
+lod2d::BoundaryIndex outline_of(const lod2d::Shape& shape, const lod::Body<2>& body) {
+    return lod2d::BoundaryIndex(shape.polygon).carried({body.position, body.orientation});
 }
 
 viz::Point at(const lod::Vector<2>& p) {
@@ -106,8 +118,20 @@ viz::Box box(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, top}};
 }
 
+viz::Box box_round(const std::vector<lod::Sphere<2>>& discs) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    viz::Box round{{far, far}, {-far, -far}};
+    for (const lod::Sphere<2>& disc : discs) {
+        const double r = disc.radius;
+        round = viz::united(round, {{disc.centre.x() - r, disc.centre.y() - r},
+                                    {disc.centre.x() + r, disc.centre.y() + r}});
+    }
+    return round;
+}
+
 viz::Figure figure_of(viz::Panel panel, std::string title, std::string alt) {
     viz::Figure figure;
+    figure.aspect = page_aspect;
     figure.title = std::move(title);
     figure.alt = std::move(alt);
     figure.panels.push_back(std::move(panel));

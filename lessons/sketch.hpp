@@ -1,11 +1,14 @@
 #pragma once
 
+#include <concepts>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "core/body.hpp"
 #include "lessons/lessons.hpp"
+#include "lod2d/build_tree.hpp"
+#include "lod2d/distance.hpp"
 #include "lod2d/shape.hpp"
 #include "viz/figure.hpp"
 #include "viz/scene_view.hpp"
@@ -15,11 +18,19 @@ namespace lessons {
 
 /// A number as a reader sees it: so many decimals, a true minus sign, no "-0".
 [[nodiscard]] std::string shown(double value, int decimals);
+/// The number, a space that does not break, and its unit if it has one.
+[[nodiscard]] std::string with_unit(std::string number, const std::string& unit);
+/// Digits with thin spaces between thousands.
+[[nodiscard]] std::string grouped(std::string digits);
 /// A count, with thin spaces between thousands.
-[[nodiscard]] std::string shown_count(std::uint64_t count);
+[[nodiscard]] std::string shown_count(std::integral auto count) {
+    return grouped(std::to_string(count));
+}
 /// The number and its words: "0.31 m".
 [[nodiscard]] Number number(double value, int decimals, const std::string& unit = "");
-[[nodiscard]] Number count(std::uint64_t value, const std::string& unit = "");
+[[nodiscard]] Number count(std::integral auto value, const std::string& unit = "") {
+    return {static_cast<double>(value), with_unit(shown_count(value), unit)};
+}
 
 /// The shape at another size.
 [[nodiscard]] lod2d::Shape scaled(const lod2d::Shape& shape, double factor);
@@ -30,6 +41,13 @@ namespace lessons {
 /// A body of density 1 kg/m^2 with a picture's look; its tree may come later.
 [[nodiscard]] viz::Actor actor(const std::string& name, const lod2d::Shape& shape,
                                std::shared_ptr<const lod::SphereTree<2>> tree = nullptr);
+
+/// A circle tree of the shape, with four children a node.
+[[nodiscard]] std::shared_ptr<const lod::SphereTree<2>> tree_of(
+    const lod2d::Shape& shape, int depth, lod2d::Builder builder = lod2d::Builder::pieces);
+
+/// The shape's boundary where the body stands, for exact questions.
+[[nodiscard]] lod2d::BoundaryIndex outline_of(const lod2d::Shape& shape, const lod::Body<2>& body);
 
 [[nodiscard]] viz::Point at(const lod::Vector<2>& p);
 [[nodiscard]] viz::Style style(viz::Role role, int body = 0, int level = -1);
@@ -46,6 +64,12 @@ void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<2>& anchor,
                const std::string& text, int body = 0, double clearance = 0);
 
 [[nodiscard]] viz::Box box(double left, double bottom, double right, double top);
+
+/// The box round discs.
+[[nodiscard]] viz::Box box_round(const std::vector<lod::Sphere<2>>& discs);
+
+/// Width over height of a lesson's picture: words come out larger on a page than at 16 to 9.
+constexpr double page_aspect = 4.0 / 3;
 
 /// A figure of one panel.
 [[nodiscard]] viz::Figure figure_of(viz::Panel panel, std::string title, std::string alt);

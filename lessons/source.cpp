@@ -75,6 +75,18 @@ std::size_t definition_end(const std::vector<std::string>& lines, std::size_t fi
     return first;
 }
 
+/// The line on which the definition of a name begins; the number of lines when there is none.
+std::size_t definition_line(const std::vector<std::string>& lines, const std::string& name) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const std::string text = trimmed(lines[i]);
+        const bool indented = lines[i].starts_with(" ");  // a use, not a definition
+        if (text.starts_with("//") || text.starts_with("#") || indented || !names(text, name))
+            continue;
+        if (definition_end(lines, i) != i) return i;
+    }
+    return lines.size();
+}
+
 }  // namespace
 
 int line_of(std::string_view text, std::size_t offset) {
@@ -136,24 +148,23 @@ std::map<std::string, std::string> find_listings(std::string_view code, const st
     return listings;
 }
 
+bool has_definition(std::string_view code, const std::string& name) {
+    const std::vector<std::string> lines = lines_of(code);
+    return definition_line(lines, name) < lines.size();
+}
+
 std::string find_definition(std::string_view code, const std::string& name,
                             const std::string& where) {
     const std::vector<std::string> lines = lines_of(code);
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::string text = trimmed(lines[i]);
-        if (text.starts_with("//") || text.starts_with("#") || !names(text, name)) continue;
-        const std::size_t end = definition_end(lines, i);
-        if (end == i) continue;
-        std::size_t begin = i;
-        const auto belongs = [&](const std::string& above) {
-            return above.starts_with("//") || above.starts_with("template") ||
-                   above.starts_with("[[");
-        };
-        while (begin > 0 && belongs(trimmed(lines[begin - 1]))) --begin;
-        return dedented({lines.begin() + static_cast<std::ptrdiff_t>(begin),
-                         lines.begin() + static_cast<std::ptrdiff_t>(end)});
-    }
-    refuse(where, 1, "no definition of '" + name + "' in this file");
+    std::size_t begin = definition_line(lines, name);
+    if (begin == lines.size()) refuse(where, 1, "no definition of '" + name + "' in this file");
+    const std::size_t end = definition_end(lines, begin);
+    const auto belongs = [&](const std::string& above) {
+        return above.starts_with("//") || above.starts_with("template") || above.starts_with("[[");
+    };
+    while (begin > 0 && belongs(trimmed(lines[begin - 1]))) --begin;
+    return dedented({lines.begin() + static_cast<std::ptrdiff_t>(begin),
+                     lines.begin() + static_cast<std::ptrdiff_t>(end)});
 }
 
 std::string find_title(std::string_view markdown, const std::string& where) {

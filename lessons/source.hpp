@@ -39,6 +39,8 @@ struct Tag {
 [[nodiscard]] std::string find_definition(std::string_view code, const std::string& name,
                                           const std::string& where);
 
+[[nodiscard]] bool has_definition(std::string_view code, const std::string& name);
+
 /// The text of the first "# " line. Throws lod::Error (input refused) when there is none.
 [[nodiscard]] std::string find_title(std::string_view markdown, const std::string& where);
 

@@ -1,10 +1,11 @@
+#include "lessons/01_distance_test/lesson.hpp"
+
+#include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/sphere.hpp"
-#include "lessons/lessons.hpp"
-#include "lessons/sketch.hpp"
 #include "lod2d/generators.hpp"
+#include "lod2d/overlap.hpp"
 
 namespace lessons {
 namespace {
@@ -14,6 +15,8 @@ using Vec = lod::Vector<2>;
 
 /// Two bodies, and a circle round the centre of mass of each that just holds it.
 struct Scene {
+    lod2d::Shape gear_shape;
+    lod2d::Shape star_shape;
     viz::Actor gear;
     viz::Actor star;
     double gear_radius = 0;
@@ -37,8 +40,10 @@ double holding_radius(const lod2d::Shape& shape) {
 Scene make_scene() {
     const lod2d::Shape gear = scaled(lod2d::generate("gear:9"), 2);
     const lod2d::Shape star = scaled(lod2d::generate("star:5"), 1.3);
-    Scene scene{actor("gear", gear), actor("star", star), holding_radius(gear),
-                holding_radius(star), edge_count(gear.polygon) * edge_count(star.polygon)};
+    Scene scene{gear, star, actor("gear", gear), actor("star", star)};
+    scene.gear_radius = holding_radius(gear);
+    scene.star_radius = holding_radius(star);
+    scene.edge_pairs = edge_count(gear.polygon) * edge_count(star.polygon);
     scene.star.body.orientation = 0.35;
     return scene;
 }
@@ -56,28 +61,14 @@ void place_star(Scene& scene, double distance) {
     scene.star.body.position = distance * Vec(0.8, 0.6);
 }
 
-/// Shortest distance of two outlines that do not cross: some corner meets some edge.
-double outline_gap(const Scene& scene) {
-    const auto one_way = [](const viz::Actor& corners, const viz::Actor& edges) {
-        double least = std::numeric_limits<double>::infinity();
-        for (const viz::Ring& ring : viz::carried(corners.body, corners.look.rings))
-            for (const viz::Point& p : ring)
-                for (const viz::Ring& other : viz::carried(edges.body, edges.look.rings))
-                    for (std::size_t i = 0; i < other.size(); ++i) {
-                        const viz::Point& q = other[(i + 1) % other.size()];
-                        const Vec from(other[i].x, other[i].y);
-                        const Vec along = Vec(q.x, q.y) - from;
-                        const Vec to = Vec(p.x, p.y) - from;
-                        const double t = std::clamp(to.dot(along) / along.squaredNorm(), 0.0, 1.0);
-                        least = std::min(least, (to - t * along).norm());
-                    }
-        return least;
-    };
-    return std::min(one_way(scene.gear, scene.star), one_way(scene.star, scene.gear));
+/// The shortest way from one outline to the other.
+lod2d::ClosestPoints outline_gap(const Scene& scene) {
+    return lod2d::closest_points(outline_of(scene.gear_shape, scene.gear.body),
+                                 outline_of(scene.star_shape, scene.star.body));
 }
 
 viz::Box view_of() {
-    return box(-1.45, -1.15, 2.75, 2.0);
+    return box(-1.15, -1.1, 2.35, 1.9);
 }
 
 void add_shapes(viz::Panel& panel, const Scene& scene) {
@@ -210,9 +201,16 @@ void step_squares(Lesson& lesson, Scene scene) {
     const double reach_squared = reach * reach;
     const bool touching = distance_squared <= reach_squared;
     // end of listing
+    viz::Figure figure = draw_test(scene, "The same test without a square root");
+    const Vec corner(b.centre.x(), a.centre.y());
+    add_line(figure.panels[0], viz::Role::construction, a.centre, corner);
+    add_line(figure.panels[0], viz::Role::construction, corner, b.centre);
+    add_label(figure.panels[0], viz::Role::note, (a.centre + corner) / 2,
+              "*x* = " + shown(gap.x(), 2) + " m");
+    add_label(figure.panels[0], viz::Role::note, (corner + b.centre) / 2,
+              "*y* = " + shown(gap.y(), 2) + " m");
     lesson.numbers["distance squared"] = number(distance_squared, 3, "m²");
     lesson.numbers["reach squared"] = number(reach_squared, 3, "m²");
-    viz::Figure figure = draw_test(scene, "The same test without a square root");
     figure.numbers = {{"*d*²", shown(distance_squared, 3) + " m²"},
                       {"(*R*_a + *R*_b)²", shown(reach_squared, 3) + " m²"},
                       {"verdict", touching ? "circles meet" : "apart"}};
@@ -231,11 +229,34 @@ void step_squares(Lesson& lesson, Scene scene) {
           {"(R_a + R_b)²", lesson.numbers["reach squared"]}}});
 }
 
+/// The place where the outlines come nearest, enlarged.
+viz::Panel draw_gap(const Scene& scene, const lod2d::ClosestPoints& gap) {
+    viz::Panel panel;
+    panel.title = "where they come nearest";
+    const Vec centre = (gap.on_a + gap.on_b) / 2;
+    const Vec reach = Vec::Constant(0.16);
+    panel.view = {at(centre - reach), at(centre + reach)};
+    add_shapes(panel, scene);
+    add_circles(panel, scene, true);
+    add_line(panel, viz::Role::contact, gap.on_a, gap.on_b);
+    add_dot(panel, viz::Role::contact, gap.on_a);
+    add_dot(panel, viz::Role::contact, gap.on_b);
+    add_label(panel, viz::Role::note, centre, "gap " + shown(gap.distance, 3) + " m");
+    return panel;
+}
+
 void step_overlap(Lesson& lesson, Scene scene) {
     place_star(scene, 1.56);
     scene.star.body.orientation = 0.9;
     lesson.numbers["near distance"] = number(distance_of(scene), 3, "m");
-    lesson.numbers["gap"] = number(outline_gap(scene), 3, "m");
+    const lod2d::ClosestPoints gap = outline_gap(scene);
+    viz::Figure figure = draw_test(scene, "The circles meet, the shapes do not");
+    figure.panels.push_back(draw_gap(scene, gap));
+    figure.panels[0].title = "the whole scene";
+    figure.columns = 2;
+    figure.shared_scale = false;
+    figure.aspect = 16.0 / 9;
+    lesson.numbers["gap"] = number(gap.distance, 3, "m");
     lesson.steps.push_back(
         {"The circles meet. Do the shapes?",
          "The star has come closer: d is now " + lesson.numbers["near distance"].text +
@@ -247,137 +268,9 @@ void step_overlap(Lesson& lesson, Scene scene) {
              "**Overlap proves nothing.** It says *possible*. The circles also hold empty "
              "corners, and it may be only those that meet. Lesson 2 shrinks the empty corners; "
              "this test stays as it is.",
-         draw_test(scene, "The circles meet, the shapes do not"),
+         std::move(figure),
          {{"d", lesson.numbers["near distance"]}, {"gap of the outlines", lesson.numbers["gap"]}}});
     lesson.figures["possible"] = lesson.steps.back().figure;
-}
-
-/// Two plain circles that meet in exactly one point.
-viz::Figure draw_tangent(const Sphere<2>& a, const Sphere<2>& b) {
-    viz::Panel panel;
-    panel.view = box(-2.6, -2.3, 6.3, 7.2);
-    const bool meet = lod::overlap(a, b);
-    const viz::Role role = meet ? viz::Role::meeting_node : viz::Role::node;
-    add_disc(panel, a, style(role, 0));
-    add_disc(panel, b, style(role, 1));
-    add_line(panel, viz::Role::construction, a.centre, b.centre);
-    const Vec corner(b.centre.x(), a.centre.y());
-    add_line(panel, viz::Role::construction, a.centre, corner);
-    add_line(panel, viz::Role::construction, corner, b.centre);
-    add_label(panel, viz::Role::note, (a.centre + corner) / 2, "3");
-    add_label(panel, viz::Role::note, (corner + b.centre) / 2, "4");
-    const Vec along = (b.centre - a.centre).normalized();
-    add_dot(panel, viz::Role::contact, a.centre);
-    add_dot(panel, viz::Role::contact, b.centre);
-    add_label(panel, viz::Role::note, a.centre, "*o*_a");
-    add_label(panel, viz::Role::note, b.centre, "*o*_b");
-    if (meet) add_dot(panel, viz::Role::true_collision, a.centre + a.radius * along);
-    return figure_of(std::move(panel), "Circles that touch in one point",
-                     "Two circles of radius 2 m and 3 m whose centres are 3 m apart across and 4 m "
-                     "up: they touch in a single point.");
-}
-
-void step_touching(Lesson& lesson) {
-    // listing: touching
-    const Sphere<2> a{Vec(0, 0), 2};
-    const Sphere<2> b{Vec(3, 4), 3};
-    const bool touching = lod::overlap(a, b);
-    // end of listing
-    const double distance_squared = (b.centre - a.centre).squaredNorm();
-    const double reach = a.radius + b.radius;
-    viz::Figure figure = draw_tangent(a, b);
-    figure.numbers = {{"*d*²", shown(distance_squared, 0) + " m²"},
-                      {"(*R*_a + *R*_b)²", shown(reach * reach, 0) + " m²"},
-                      {"verdict", touching ? "touching" : "apart"}};
-    lesson.numbers["touching d²"] = number(distance_squared, 0, "m²");
-    lesson.numbers["touching reach²"] = number(reach * reach, 0, "m²");
-    lesson.steps.push_back(
-        {"Touching counts",
-         "**Predict:** the centres are 3 m apart across and 4 m up, the radii are 2 m and 3 m. Do "
-         "these circles meet?\n\n"
-         "d² = 3² + 4² = " +
-             lesson.numbers["touching d²"].text +
-             ", and (2 + 3)² = " + lesson.numbers["touching reach²"].text +
-             ". They share exactly one point. The program answers: " +
-             (touching ? "they meet" : "apart") +
-             ". The sign in the comparison is ≤, not <, for *apart* has to be a proof, and two "
-             "bodies that touch are not apart.",
-         std::move(figure),
-         {{"d²", lesson.numbers["touching d²"]},
-          {"(R_a + R_b)²", lesson.numbers["touching reach²"]}}});
-}
-
-/// Circles in a row that touch on paper: radii i/10 and j/10, centres (i + j)/10 apart.
-struct DecimalTrial {
-    int pairs = 0;
-    int lost = 0;         ///< called apart
-    int lost_safely = 0;  ///< still called apart with the bound of rounding added
-};
-
-// listing: decimals
-DecimalTrial try_decimals(int most_tenths) {
-    DecimalTrial trial;
-    for (int i = 1; i <= most_tenths; ++i)
-        for (int j = 1; j <= most_tenths; ++j) {
-            const Sphere<2> a{Vec(0, 0), i / 10.0};
-            const Sphere<2> b{Vec((i + j) / 10.0, 0), j / 10.0};
-            const double bound = 1e-12 * (a.radius + b.radius);
-            const Sphere<2> safe{a.centre, a.radius + bound};
-            ++trial.pairs;
-            if (!lod::overlap(a, b)) ++trial.lost;
-            if (!lod::overlap(safe, b)) ++trial.lost_safely;
-        }
-    return trial;
-}
-// end of listing
-
-void step_rounding(Lesson& lesson) {
-    const Sphere<2> a{Vec(0, 0), 0.1};
-    const Sphere<2> b{Vec(0.8, 0), 0.7};
-    const DecimalTrial trial = try_decimals(20);
-    viz::Panel panel;
-    panel.view = box(-0.3, -0.8, 1.65, 0.8);
-    const bool meet = lod::overlap(a, b);
-    const viz::Role role = meet ? viz::Role::meeting_node : viz::Role::node;
-    add_disc(panel, a, style(role, 0));
-    add_disc(panel, b, style(role, 1));
-    add_line(panel, viz::Role::construction, a.centre, b.centre);
-    add_dot(panel, viz::Role::contact, a.centre);
-    add_dot(panel, viz::Role::contact, b.centre);
-    add_label(panel, viz::Role::note, a.centre, "radius 0.1", 0, a.radius);
-    add_label(panel, viz::Role::note, b.centre, "radius 0.7");
-    constexpr int all_digits = 17;
-    viz::Figure figure =
-        figure_of(std::move(panel), "Touching on paper, apart in the computer",
-                  "Two circles of radius 0.1 m and 0.7 m with centres 0.8 m apart. "
-                  "They touch, but the plain test calls them apart.");
-    figure.numbers = {{"0.1 + 0.7", shown(a.radius + b.radius, all_digits)},
-                      {"verdict", meet ? "touching" : "apart"}};
-    lesson.numbers["tangent pairs"] = count(static_cast<std::uint64_t>(trial.pairs));
-    lesson.numbers["lost pairs"] = count(static_cast<std::uint64_t>(trial.lost));
-    lesson.numbers["lost with bound"] = count(static_cast<std::uint64_t>(trial.lost_safely));
-    lesson.numbers["rounded reach"] = number(a.radius + b.radius, all_digits, "m");
-    lesson.steps.push_back(
-        {"What a computer makes of 0.1 + 0.7",
-         "These two touch as well: the radii are 0.1 m and 0.7 m, the distance is 0.8 m. The "
-         "program answers: **" +
-             std::string(meet ? "touching" : "apart") +
-             "**. A computer holds binary fractions, 0.1 and 0.7 are none, and so it finds 0.1 + "
-             "0.7 = " +
-             lesson.numbers["rounded reach"].text +
-             ".\n\n"
-             "Of " +
-             lesson.numbers["tangent pairs"].text +
-             " such pairs with radii in tenths of a metre, " + lesson.numbers["lost pairs"].text +
-             " are called apart although they touch. A proof must not depend on luck, so the "
-             "traversal "
-             "of lesson 3 adds a bound of what rounding can do to every reach. With a bound of one "
-             "part "
-             "in a million million, " +
-             lesson.numbers["lost with bound"].text + " are lost.",
-         std::move(figure),
-         {{"called apart", lesson.numbers["lost pairs"]},
-          {"with the bound", lesson.numbers["lost with bound"]}}});
 }
 
 /// The star passes the gear: far, near, far.
@@ -412,8 +305,8 @@ void make_distance_test(Lesson& lesson) {
     step_apart(lesson, scene);
     step_squares(lesson, scene);
     step_overlap(lesson, scene);
-    step_touching(lesson);
-    step_rounding(lesson);
+    distance::step_touching(lesson);
+    distance::step_rounding(lesson);
     animate(lesson, scene);
 }
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/sphere.hpp"
+#include "lessons/lessons.hpp"
+#include "lessons/sketch.hpp"
+
+namespace lessons::distance {
+
+// The end of the lesson (touching.cpp): circles that meet in a point, on paper and in a computer.
+void step_touching(Lesson& lesson);
+void step_rounding(Lesson& lesson);
+
+}  // namespace lessons::distance
