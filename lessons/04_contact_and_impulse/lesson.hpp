@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/frame.hpp"
+#include "lessons/lessons.hpp"
+#include "lessons/sketch.hpp"
+
+namespace lessons::impact {
+
+constexpr double impulse_length = 0.8;  ///< metres of arrow for a newton second
+
+/// A gear and a star, and the two nodes between which they are taken to touch.
+struct Scene {
+    viz::Actor gear;
+    viz::Actor star;
+    lod::Sphere<2> node_a;
+    lod::Sphere<2> node_b;
+    lod::Contact<2> contact;
+    int level = 0;   ///< at which the traversal was interrupted
+    double gap = 0;  ///< between the outlines [m]
+    viz::Box view;
+};
+
+[[nodiscard]] Scene make_scene();
+
+[[nodiscard]] viz::Figure draw_instant(const Scene& scene, const std::vector<lod::Body<2>>& bodies,
+                                       const lod::FrameRecord<2>& record);
+
+/// The flight, the impact and what follows, as a video.
+void animate(Lesson& lesson, const Scene& start);
+
+/// The second half of the lesson: what becomes of many impulses (many_contacts.cpp).
+void add_many_contacts(Lesson& lesson);
+
+}  // namespace lessons::impact
