@@ -1,0 +1,136 @@
+#include <filesystem>
+#include <fstream>
+#include <regex>
+
+#include "core/error.hpp"
+#include "lessons/lessons.hpp"
+#include "lessons/page.hpp"
+#include "tests/catch.hpp"
+#include "tests/lessons/scratch.hpp"
+
+using namespace lessons;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string content(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+BookOptions lesson_one() {
+    BookOptions options;
+    options.lessons = {1};
+    options.video = false;
+    return options;
+}
+
+std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+    const std::regex expression(pattern);
+    std::vector<std::string> found;
+    for (std::sregex_iterator it(text.begin(), text.end(), expression), end; it != end; ++it)
+        found.push_back(it->str());
+    return found;
+}
+
+std::size_t entries_in(const fs::path& folder) {
+    return static_cast<std::size_t>(
+        std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+}  // namespace
+
+TEST_CASE("every picture of a page has an alt text, both colour schemes and files that exist",
+          "[lessons]") {
+    const Scratch folder;
+    write_book(folder.path() / "book", lesson_one());
+    const fs::path page = folder.path() / "book" / "distance_test" / "index.html";
+    const std::string html = content(page);
+    const auto images = matches(html, "<img [^>]*>");
+    REQUIRE(images.size() == run(1).steps.size() + 1);  // the steps and the figure of the text
+    for (const std::string& image : images)
+        CHECK(std::regex_search(image, std::regex("alt=\"[^\"]{20,}\"")));
+    for (const std::string& link : matches(html, "(src|srcset|href)=\"[^\"#]+\"")) {
+        const std::string target = link.substr(link.find('"') + 1);
+        INFO(link);
+        CHECK(fs::exists(page.parent_path() / target.substr(0, target.size() - 1)));
+    }
+    CHECK(matches(html, "prefers-color-scheme: dark").size() == images.size());
+    CHECK(html.find("<math") != std::string::npos);
+    CHECK(html.find("{{") == std::string::npos);
+    CHECK(html.find("$$") == std::string::npos);
+}
+
+TEST_CASE("no file of the book names a resource on a network", "[lessons]") {
+    const Scratch folder;
+    write_book(folder.path() / "book", lesson_one());
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path() / "book")) {
+        if (!entry.is_regular_file()) continue;
+        INFO(entry.path());
+        const std::string text = content(entry.path());
+        CHECK(matches(text, "(src|href|srcset|url\\(|@import|fetch\\()[=\\s\"'(]*(https?:)?//")
+                  .empty());
+    }
+}
+
+TEST_CASE("a book replaces a book but no other folder", "[lessons]") {
+    const Scratch folder;
+    const fs::path book = folder.path() / "book";
+    write_book(book, lesson_one());
+    std::ofstream(book / "old.txt") << "old";
+    write_book(book, lesson_one());
+    CHECK_FALSE(fs::exists(book / "old.txt"));
+    CHECK(entries_in(folder.path()) == 1);
+
+    const fs::path other = folder.path() / "other";
+    fs::create_directory(other);
+    std::ofstream(other / "letter.txt") << "mine";
+    try {
+        write_book(other, lesson_one());
+        FAIL("a folder of the reader's was replaced");
+    } catch (const lod::Error& error) {
+        CHECK(error.kind() == lod::ErrorKind::output_failed);
+    }
+    CHECK(content(other / "letter.txt") == "mine");
+    CHECK(entries_in(folder.path()) == 2);
+}
+
+TEST_CASE("a book that is stopped leaves nothing behind", "[lessons]") {
+    const Scratch folder;
+    BookOptions options = lesson_one();
+    int pictures = 0;
+    options.progress = [&](const BookProgress& progress) {
+        CHECK(progress.share > 0);
+        CHECK(progress.share <= 1);
+        if (++pictures == 3) lod::stop_signal = 2;
+    };
+    CHECK_THROWS_AS(write_book(folder.path() / "book", options), lod::Interrupted);
+    lod::stop_signal = 0;
+    CHECK(entries_in(folder.path()) == 0);
+}
+
+TEST_CASE("a book below a file is refused", "[lessons]") {
+    const Scratch folder;
+    std::ofstream(folder.path() / "file") << "x";
+    try {
+        write_book(folder.path() / "file" / "book", lesson_one());
+        FAIL("a book was written below a file");
+    } catch (const lod::Error& error) {
+        CHECK(error.kind() == lod::ErrorKind::output_failed);
+    }
+}
+
+TEST_CASE("the index names every lesson of the book and no other", "[lessons]") {
+    const Scratch folder;
+    write_book(folder.path() / "book", lesson_one());
+    const std::string html = content(folder.path() / "book" / "index.html");
+    CHECK(html.find("Do two circles touch?") != std::string::npos);
+    CHECK(html.find("circle_tree") == std::string::npos);
+}
+
+TEST_CASE("a listing is escaped and its comments and keywords are marked", "[lessons]") {
+    const std::string html = listing_html("return a < b;  // less & \"more\"\n");
+    CHECK(html.find("<span class=\"keyword\">return</span> a &lt; b;") != std::string::npos);
+    CHECK(html.find("<span class=\"comment\">// less &amp; &quot;more&quot;</span>") !=
+          std::string::npos);
+}

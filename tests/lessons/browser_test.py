@@ -1,0 +1,204 @@
+"""Opens every lesson of a book in headless Chromium, presses keys as a reader would, and checks what is
+shown. Speaks the W3C WebDriver protocol to chromedriver; needs nothing but the standard library.
+
+Usage: browser_test.py BOOK    exits 0 when all is well, 1 with a line for each fault, 77 when there is no
+                               chromedriver or Chromium
+"""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import urllib.request
+
+SKIPPED = 77
+LEFT, RIGHT, END, HOME, TAB = "\ue012", "\ue014", "\ue010", "\ue011", "\ue004"
+
+ARGUMENTS = [
+    "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
+    "--disable-background-networking", "--disable-component-update", "--disable-sync",
+    "--window-size=1280,900", "--allow-file-access-from-files",
+]
+
+DIRECT = urllib.request.build_opener(urllib.request.ProxyHandler({}))  # never by a proxy
+
+# What a reader sees of the steps: which is visible, what the controls and the screen reader are told.
+STATE = """
+const visible = [...document.querySelectorAll('article.step')]
+    .filter(step => step.getClientRects().length > 0);
+const image = visible[0].querySelector('img');
+return {
+  visible: visible.map(step => step.id),
+  title: visible[0].querySelector('h3').textContent,
+  slider: document.querySelector('.scrubber input').value,
+  spoken: document.querySelector('.scrubber input').getAttribute('aria-valuetext'),
+  count: document.querySelector('.scrubber output').textContent,
+  back: document.querySelector('.back').disabled,
+  next: document.querySelector('.next').disabled,
+  hash: location.hash,
+  drawn: image.complete && image.naturalWidth > 0,
+  wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
+};
+"""
+
+
+class Browser:
+    """One session of headless Chromium with a profile of its own."""
+
+    def __init__(self, driver, browser, profile):
+        self.process = subprocess.Popen([driver, "--port=0"], stdout=subprocess.PIPE,
+                                        stderr=subprocess.DEVNULL, text=True)
+        for line in self.process.stdout:
+            found = re.search(r"successfully on port (\d+)", line)
+            if found:
+                self.address = f"http://127.0.0.1:{found.group(1)}"
+                break
+        else:
+            raise RuntimeError("chromedriver does not say its port")
+        try:
+            self.begin_session(browser, profile)
+        except Exception:
+            self.close()
+            raise
+
+    def begin_session(self, browser, profile):
+        options = {"binary": browser, "args": ARGUMENTS + [f"--user-data-dir={profile}"]}
+        answer = self.call("/session", {"capabilities": {"alwaysMatch": {
+            "browserName": "chrome", "goog:chromeOptions": options,
+            "goog:loggingPrefs": {"browser": "ALL"}}}})
+        self.session = f"/session/{answer['sessionId']}"
+
+    def call(self, path, body=None, method="POST"):
+        request = urllib.request.Request(
+            self.address + path, method=method, headers={"Content-Type": "application/json"},
+            data=None if body is None else json.dumps(body).encode())
+        with DIRECT.open(request, timeout=60) as answer:
+            return json.load(answer)["value"]
+
+    def open(self, path, fragment=""):
+        self.call(self.session + "/url", {"url": "about:blank"})
+        self.call(self.session + "/url", {"url": path.resolve().as_uri() + fragment})
+
+    def run(self, script):
+        return self.call(self.session + "/execute/sync", {"script": script, "args": []})
+
+    def press(self, key):
+        self.call(self.session + "/actions", {"actions": [{"type": "key", "id": "keys", "actions": [
+            {"type": "keyDown", "value": key}, {"type": "keyUp", "value": key}]}]})
+
+    def resize(self, width, height):
+        self.call(self.session + "/window/rect", {"width": width, "height": height})
+
+    def complaints(self):
+        log = self.call(self.session + "/se/log", {"type": "browser"})
+        return [entry["message"] for entry in log if entry["level"] == "SEVERE"]
+
+    def close(self):
+        try:
+            self.call(self.session, method="DELETE")
+        except (OSError, AttributeError):
+            pass
+        self.process.terminate()
+        self.process.wait(timeout=30)
+
+
+class Report:
+    def __init__(self):
+        self.faults = 0
+
+    def expect(self, what, found, wanted):
+        if found != wanted:
+            self.faults += 1
+            print(f"{what}: found {found!r}, expected {wanted!r}")
+
+
+def check_steps(browser, page, report):
+    name = page.parent.name
+    steps = len(re.findall(r'<article class="step"', page.read_text()))
+    browser.open(page)
+    titles = {}
+
+    def look(what, number):
+        state = browser.run(STATE)
+        report.expect(f"{name}, {what}: visible", state["visible"], [f"step-{number}"])
+        report.expect(f"{name}, {what}: slider", state["slider"], str(number))
+        report.expect(f"{name}, {what}: count", state["count"], f"{number} / {steps}")
+        report.expect(f"{name}, {what}: at the start", state["back"], number == 1)
+        report.expect(f"{name}, {what}: at the end", state["next"], number == steps)
+        report.expect(f"{name}, {what}: spoken", state["spoken"].startswith(f"Step {number} of {steps}: "), True)
+        report.expect(f"{name}, {what}: title", titles.setdefault(number, state["title"]), state["title"])
+        return state
+
+    look("opened", 1)
+    browser.press(LEFT)
+    look("left at the start", 1)
+    for number in range(2, steps + 1):
+        browser.press(RIGHT)
+        report.expect(f"{name}: hash", look("right", number)["hash"], f"#step-{number}")
+    browser.press(RIGHT)
+    look("right at the end", steps)
+    for number in range(steps - 1, 0, -1):
+        browser.press(LEFT)
+        look("left", number)
+    browser.run("document.querySelector('.scrubber .next').click()")
+    look("button", 2)
+    browser.run("document.querySelector('.scrubber input').focus()")
+    browser.press(RIGHT)
+    look("right on the slider", 3)
+    browser.press(END)
+    look("end", steps)
+    browser.press(HOME)
+    look("home", 1)
+    browser.open(page, "#step-3")
+    look("opened at step 3", 3)
+    report.expect(f"{name}: all titles differ", len(set(titles.values())), steps)
+
+
+def check_looks(browser, page, report):
+    name = page.parent.name
+    browser.resize(390, 844)
+    browser.open(page)
+    report.expect(f"{name}: no sideways scrolling on a telephone", browser.run(STATE)["wide"], 0)
+    report.expect(f"{name}: every equation is drawn", browser.run(
+        "return [...document.querySelectorAll('math')].filter(m => m.getBoundingClientRect().width < 4).length"), 0)
+    report.expect(f"{name}: every control has a name", browser.run(
+        "return [...document.querySelectorAll('button, input, video')]"
+        ".filter(e => !e.getAttribute('aria-label')).length"), 0)
+    report.expect(f"{name}: no picture without an alt text", browser.run(
+        "return [...document.querySelectorAll('img')].filter(i => !i.alt).length"), 0)
+    report.expect(f"{name}: pictures are drawn", browser.run(
+        "document.querySelectorAll('img').forEach(i => i.loading = 'eager');"
+        "return Promise.all([...document.querySelectorAll('img')].map(i => i.decode().then(() => 1, () => 0)))"
+        ".then(all => all.includes(0))"), False)
+    browser.resize(1280, 900)
+    report.expect(f"{name}: nothing is complained of", browser.complaints(), [])
+
+
+def main(book):
+    driver = shutil.which("chromedriver")
+    chromium = shutil.which("chromium") or shutil.which("google-chrome")
+    if not driver or not chromium:
+        print("skipped: install chromium and chromium-driver")
+        return SKIPPED
+    pages = sorted(book.glob("*/index.html"))
+    report = Report()
+    report.expect("lessons", len(pages), 4)
+    with tempfile.TemporaryDirectory() as profile:
+        browser = Browser(driver, chromium, profile)
+        try:
+            for page in pages:
+                check_steps(browser, page, report)
+                check_looks(browser, page, report)
+            browser.open(book / "index.html")
+            report.expect("index: links", browser.run(
+                "return document.querySelectorAll('.lessons a').length"), len(pages))
+        finally:
+            browser.close()
+    return 1 if report.faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(pathlib.Path(sys.argv[1])))

@@ -1,0 +1,130 @@
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "lessons/lessons.hpp"
+#include "tests/catch.hpp"
+#include "tests/lessons/scratch.hpp"
+
+using namespace lessons;
+
+namespace {
+
+/// A lesson of three steps.
+Lesson three_steps() {
+    Lesson lesson;
+    lesson.entry = {7, "three", "Three"};
+    for (int i = 1; i <= 3; ++i) {
+        Step step;
+        step.title = "Title " + std::to_string(i);
+        step.text = "Text " + std::to_string(i) + ".";
+        step.figure.alt = "alt";
+        viz::Panel panel;
+        panel.view = {{-1, -1}, {1, 1}};
+        panel.marks.push_back(viz::Disc{{}, {0, 0}, 0.1 * i});
+        step.figure.panels.push_back(panel);
+        lesson.steps.push_back(step);
+    }
+    return lesson;
+}
+
+std::string session(const std::string& input, const StepperOptions& options = {}) {
+    std::istringstream in(input);
+    std::ostringstream out;
+    step_in_terminal(three_steps(), in, out, options);
+    return out.str();
+}
+
+/// What the stepper printed for each step it showed, in order: from "[2/7]" to the prompt.
+std::vector<std::string> texts(const std::string& output) {
+    std::vector<std::string> result;
+    const std::regex step("\n\\[[0-9]+/[0-9]+\\][^]*?\n> ");
+    for (std::sregex_iterator it(output.begin(), output.end(), step), end; it != end; ++it)
+        result.push_back(it->str());
+    return result;
+}
+
+/// The numbers of the steps shown, in order.
+std::string shown_steps(const std::string& output) {
+    std::string steps;
+    for (const std::string& text : texts(output)) steps += text[2];
+    return steps;
+}
+
+}  // namespace
+
+TEST_CASE("a pipe steps forwards and back line by line", "[lessons]") {
+    CHECK(shown_steps(session("")) == "1");
+    CHECK(shown_steps(session("\n\n")) == "123");
+    CHECK(shown_steps(session("n\nn\nb\np\n")) == "12321");
+    CHECK(shown_steps(session("3\ng1\ng 2\nq\nn\n")) == "1312");
+    CHECK(shown_steps(session("right\nleft\n")) == "121");
+    CHECK(shown_steps(session("\033[C\n\033[D\n")) == "121");
+    CHECK(shown_steps(session("n\r\n")) == "12");
+}
+
+TEST_CASE("a step reads the same forwards and back", "[lessons]") {
+    const auto seen = texts(session("n\nn\nb\nb\n"));
+    REQUIRE(seen.size() == 5);
+    CHECK(seen[0] == seen[4]);
+    CHECK(seen[1] == seen[3]);
+}
+
+TEST_CASE("the ends, a wrong number and an unknown command are answered in words", "[lessons]") {
+    CHECK(session("b\n").find("first step") != std::string::npos);
+    CHECK(session("3\nn\n").find("last step") != std::string::npos);
+    CHECK(session("9\n").find("steps 1 to 3") != std::string::npos);
+    CHECK(session("0\n").find("steps 1 to 3") != std::string::npos);
+    CHECK(session("hello\n").find("'hello' is no command") != std::string::npos);
+    CHECK(session("?\n").find("go to step") != std::string::npos);
+}
+
+TEST_CASE("stepping begins at the step that was asked for, or says which there are", "[lessons]") {
+    StepperOptions options;
+    options.first_step = 2;
+    CHECK(shown_steps(session("n\n", options)) == "23");
+    options.first_step = 4;
+    CHECK_THROWS_AS(session("", options), lod::Error);
+}
+
+TEST_CASE("the picture of each step that was seen is written to the folder", "[lessons]") {
+    const Scratch folder;
+    StepperOptions options;
+    options.pictures = folder.path() / "pictures";
+    const std::string output = session("n\nb\n", options);
+    CHECK(std::filesystem::file_size(options.pictures / "step_01.png") > 1000);
+    CHECK(std::filesystem::exists(options.pictures / "step_02.png"));
+    CHECK_FALSE(std::filesystem::exists(options.pictures / "step_03.png"));
+    CHECK(output.find("step_02.png") != std::string::npos);
+}
+
+TEST_CASE("a folder for pictures that cannot be made is refused", "[lessons]") {
+    StepperOptions options;
+    options.pictures = "/proc/none/pictures";
+    try {
+        session("", options);
+        FAIL("a folder below /proc was made");
+    } catch (const lod::Error& error) {
+        CHECK(error.kind() == lod::ErrorKind::output_failed);
+    }
+}
+
+TEST_CASE("every lesson can be stepped through to its end and back in a pipe", "[lessons]") {
+    for (const Entry& entry : list()) {
+        const Lesson lesson = run(entry.number);
+        std::string input;
+        for (std::size_t i = 1; i < lesson.steps.size(); ++i) input += "n\n";
+        for (std::size_t i = 1; i < lesson.steps.size(); ++i) input += "b\n";
+        std::istringstream in(input + "t\nq\n");
+        std::ostringstream out;
+        step_in_terminal(lesson, in, out);
+        const auto seen = texts(out.str());
+        REQUIRE(seen.size() == 2 * lesson.steps.size() - 1);
+        for (std::size_t i = 0; i < seen.size(); ++i) {
+            CHECK(seen[i] == seen[seen.size() - 1 - i]);
+            CHECK(seen[i].find("**") == std::string::npos);
+        }
+        CHECK(out.str().find("{{") == std::string::npos);
+    }
+}
