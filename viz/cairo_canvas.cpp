@@ -197,6 +197,7 @@ Canvas::Canvas(PageFormat format, double width, double height, double scale)
         case PageFormat::svg:
             state_->surface.reset(
                 cairo_svg_surface_create_for_stream(append, &state_->stream, width, height));
+            cairo_svg_surface_set_document_unit(state_->surface.get(), CAIRO_SVG_UNIT_PX);
             break;
         case PageFormat::pdf:
             state_->surface.reset(

@@ -124,17 +124,23 @@ Figure contacts_by_level(const Actor& a, const Actor& b, const std::vector<lod::
     figure.caption =
         "Each intersecting pair of nodes gives one contact: its point and its normal, "
         "from " +
-        literal_text(a.look.name) + " towards " + literal_text(b.look.name) + ".";
-    figure.alt = "The contact of " + a.look.name + " and " + b.look.name + ", level by level.";
+        literal_text(shown_name({a.look, b.look}, 0)) + " towards " +
+        literal_text(shown_name({a.look, b.look}, 1)) + ".";
+    figure.alt = "The contact of " + shown_name({a.look, b.look}, 0) + " and " +
+                 shown_name({a.look, b.look}, 1) + ", level by level.";
     std::size_t most = 0;
     for (const int level : levels) {
         const lod::Front& front = fronts[static_cast<std::size_t>(level)];
         figure.panels.push_back(level_panel(a, b, front, model, view));
+        if (figure.panels.size() == 1) add_names(figure.panels[0].marks, a, b);
         figure.alt += " " + figure.panels.back().title + ".";
         most = std::max(most, contacts_of(a.body, b.body, front, model).size());
     }
-    figure.numbers = {{"node tests", number_text(static_cast<double>(fronts.back().tests), 9)},
-                      {"most contacts", number_text(static_cast<double>(most), 9)}};
+    figure.numbers = {
+        {"node tests",
+         number_text(static_cast<double>(fronts[static_cast<std::size_t>(levels.back())].tests),
+                     9)},
+        {"most contacts", number_text(static_cast<double>(most), 9)}};
     return figure;
 }
 
@@ -166,11 +172,11 @@ Figure contact_construction(const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
     Panel panel;
     panel.view = united(box_of(a), box_of(b));
     add_balls(panel.marks, a, b, n);
-    add_plane(panel.marks, a, b, plane->point, n);
     panel.marks.push_back(Arrow{{.role = Role::normal},
                                 point_of(ratio->point),
-                                point_of(ratio->point + 0.42 * std::min(a.radius, b.radius) * n),
+                                point_of(ratio->point + 0.3 * std::min(a.radius, b.radius) * n),
                                 "*n*"});
+    add_plane(panel.marks, a, b, plane->point, n);
     panel.marks.push_back(Dot{{.role = Role::contact}, point_of(ratio->point), 1.2});
     panel.marks.push_back(Label{{.role = Role::contact}, point_of(ratio->point), "*c*", 0});
     figure.panels.push_back(std::move(panel));

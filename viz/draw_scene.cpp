@@ -103,7 +103,22 @@ void add_velocity(Marks& marks, const lod::Body<2>& body, int number, double met
                           words});
 }
 
-void add_name(Marks& marks, const Actor& actor, int number, Point away_from) {
+std::string shown_name(const std::vector<Look>& looks, std::size_t number) {
+    if (number >= looks.size()) return {};
+    const std::string& name = looks[number].name;
+    const auto same = std::count_if(looks.begin(), looks.end(),
+                                    [&](const Look& look) { return look.name == name; });
+    if (same == 1 || number >= 26) return name;
+    return name + (name.empty() ? "" : " ") + static_cast<char>('A' + number);
+}
+
+void add_names(Marks& marks, const Actor& a, const Actor& b) {
+    add_name(marks, a, shown_name({a.look, b.look}, 0), 0, point_of(b.body.position));
+    add_name(marks, b, shown_name({a.look, b.look}, 1), 1, point_of(a.body.position));
+}
+
+void add_name(Marks& marks, const Actor& actor, const std::string& name, int number,
+              Point away_from) {
     // The outline's point that lies furthest out on the side away from the other body.
     const lod::Vector<2> centre = actor.body.position;
     lod::Vector<2> outward = centre - lod::Vector<2>(away_from.x, away_from.y);
@@ -118,8 +133,7 @@ void add_name(Marks& marks, const Actor& actor, int number, Point away_from) {
             furthest = p;
         }
     }
-    marks.push_back(
-        Label{{.role = Role::body, .body = number}, furthest, literal_text(actor.look.name), 0});
+    marks.push_back(Label{{.role = Role::body, .body = number}, furthest, literal_text(name), 0});
 }
 
 Actor actor_of(const Run& run, std::size_t instant, int number) {

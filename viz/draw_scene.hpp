@@ -40,8 +40,15 @@ enum class SpinWords { left_out, shown };
 void add_velocity(Marks& marks, const lod::Body<2>& body, int number, double metres_per_speed,
                   double opacity = 1, SpinWords spin = SpinWords::left_out);
 
-/// A label beside the body's outline, on the side away from a point.
-void add_name(Marks& marks, const Actor& actor, int number, Point away_from);
+/// The name of one of several bodies, with a letter behind it where two have the same.
+[[nodiscard]] std::string shown_name(const std::vector<Look>& looks, std::size_t number);
+
+/// A name beside the body's outline, on the side away from a point.
+void add_name(Marks& marks, const Actor& actor, const std::string& name, int number,
+              Point away_from);
+
+/// The names of two bodies, each on the side away from the other.
+void add_names(Marks& marks, const Actor& a, const Actor& b);
 
 /// The body that a pair's nodes belong to, by number.
 [[nodiscard]] Actor actor_of(const Run& run, std::size_t instant, int number);

@@ -55,7 +55,8 @@ std::shared_ptr<const Stage> stage_of(const Run& run, const SimulationMotion& ch
         stage->momentum_y.points.push_back({instant.time, p.y()});
     }
     stage->energy_panel = plot_panel("", over_time("kinetic energy [J]"), {stage->energy});
-    stage->energy_panel.view.low.y = 0;
+    stage->energy_panel.view.low.y = 0;  // what is lost or won shows as a share of the whole
+    stage->energy_panel.view.high.y *= 1.15;
     stage->momentum_panel =
         plot_panel("", over_time("momentum [kg m/s]"), {stage->momentum_x, stage->momentum_y});
     return stage;

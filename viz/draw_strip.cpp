@@ -91,8 +91,8 @@ Panel start_panel(const Run& run, const Scales& scales, bool with_names) {
     const Point middle{(all.low.x + all.high.x) / 2, (all.low.y + all.high.y) / 2};
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!bodies[i].is_static())
-            add_name(panel.marks, actor_of(run, 0, static_cast<int>(i)), static_cast<int>(i),
-                     middle);
+            add_name(panel.marks, actor_of(run, 0, static_cast<int>(i)), shown_name(run.looks, i),
+                     static_cast<int>(i), middle);
     return panel;
 }
 
@@ -150,8 +150,7 @@ std::string motion_words(const Run& run, std::size_t instant) {
     const auto& bodies = run.instants[instant].bodies;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies[i].is_static()) continue;
-        words += (words.empty() ? "" : ", ") +
-                 actor_of(run, instant, static_cast<int>(i)).look.name + " at " +
+        words += (words.empty() ? "" : ", ") + shown_name(run.looks, i) + " at " +
                  quantity_text(bodies[i].velocity.norm(), "m/s") + " spinning at " +
                  quantity_text(bodies[i].spin[0], "rad/s");
     }

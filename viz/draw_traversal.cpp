@@ -61,7 +61,8 @@ Box view_of(const Actor& a, const Actor& b, const std::vector<lod::Front>& front
 }
 
 std::string names_of(const Actor& a, const Actor& b) {
-    return literal_text(a.look.name) + " and " + literal_text(b.look.name);
+    return literal_text(shown_name({a.look, b.look}, 0)) + " and " +
+           literal_text(shown_name({a.look, b.look}, 1));
 }
 
 std::string level_words(const std::vector<lod::Front>& fronts, int level) {
@@ -121,6 +122,7 @@ Figure traversal(const Actor& a, const Actor& b, const std::vector<lod::Front>& 
     figure.alt = alt_text(a, b, fronts, levels);
     const Box view = view_of(a, b, fronts, levels);
     for (const int level : levels) figure.panels.push_back(level_panel(a, b, fronts, level, view));
+    add_names(figure.panels[0].marks, a, b);
     return figure;
 }
 
@@ -143,6 +145,7 @@ Figure traversal_level(const Actor& a, const Actor& b, const std::vector<lod::Fr
     for (std::size_t i = 0; i < fronts.size(); ++i) every.push_back(static_cast<int>(i));
     figure.panels.push_back(level_panel(a, b, fronts, level, view_of(a, b, fronts, every)));
     figure.panels.back().title.clear();
+    add_names(figure.panels.back().marks, a, b);
     return figure;
 }
 

@@ -255,6 +255,10 @@ PageLayout lay_out_page(const Figure& figure, Canvas& canvas) {
     return layout;
 }
 
+bool title_within(const Panel& panel, const PanelPlace& place) {
+    return !panel.axes && place.title.y > place.frame.y;
+}
+
 Text title_text(const Figure& figure, const PageInks& inks, double width) {
     return {.words = figure.title,
             .size = title_size,
@@ -282,7 +286,7 @@ Text caption_text(const Figure& figure, const PageInks& inks, double width) {
 }
 
 Text panel_title(const Panel& panel, const PageInks& inks, const PanelPlace& place) {
-    const bool within = !panel.axes && place.title.y > place.frame.y;
+    const bool within = title_within(panel, place);
     return {.words = panel.title,
             .size = within ? smallest_text : 18,
             .weight = within ? Weight::regular : Weight::medium,

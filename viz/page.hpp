@@ -47,6 +47,9 @@ struct PageLayout {
 
 [[nodiscard]] PageLayout lay_out_page(const Figure& figure, Canvas& canvas);
 
+/// Whether a panel's title stands within its frame.
+[[nodiscard]] bool title_within(const Panel& panel, const PanelPlace& place);
+
 // The texts of the page, the same for measuring and for writing.
 [[nodiscard]] Text title_text(const Figure& figure, const PageInks& inks, double width);
 [[nodiscard]] Text number_name(const Quantity& number, const PageInks& inks);

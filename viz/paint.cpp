@@ -89,7 +89,8 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas) {
         }
         paint_marks(panel, place, theme, ground, canvas);
         if (!panel.title.empty())
-            canvas.write(panel_title(panel, inks, place), top_left(place.title), &ground);
+            canvas.write(panel_title(panel, inks, place), top_left(place.title),
+                         title_within(panel, place) ? &ground : nullptr);
     }
     paint_foot(figure, layout, inks, canvas);
 }

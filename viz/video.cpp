@@ -17,6 +17,7 @@ extern "C" {
 
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "viz/ending.hpp"
 #include "viz/film.hpp"
 #include "viz/gif_palette.hpp"
 #include "viz/write.hpp"
@@ -351,15 +352,8 @@ void VideoFile::finish(std::int64_t frames) {
     file_.commit();
 }
 
-std::string lower_ending(const std::filesystem::path& path) {
-    std::string end = path.extension().string();
-    std::transform(end.begin(), end.end(), end.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return end;
-}
-
 Encoder encoder_or_refuse(const std::filesystem::path& path, const WriteOptions& options) {
-    const Encoder encoder = encoder_for(lower_ending(path));
+    const Encoder encoder = encoder_for(ending_of(path));
     if (!encoder.codec)
         throw lod::Error(lod::ErrorKind::not_installed,
                          "cannot write " + path.string() +
@@ -379,7 +373,7 @@ void write_video(const std::filesystem::path& path, const Animation& animation,
     const Encoder encoder = encoder_or_refuse(path, options);
     const bool gif = encoder.codec->id == AV_CODEC_ID_GIF;
     Film film(animation, options);
-    VideoFile file(path, lower_ending(path), encoder, film.first().width, film.first().height,
+    VideoFile file(path, ending_of(path), encoder, film.first().width, film.first().height,
                    film.frames_per_second(), plain_text(animation.title));
     if (gif) {
         film.sample([&](const Image& image) { file.palette.sample(image); });

@@ -1,19 +1,10 @@
 #include "viz/write.hpp"
 
-#include <algorithm>
-#include <cctype>
-
 #include "core/error.hpp"
+#include "viz/ending.hpp"
 
 namespace viz {
 namespace {
-
-std::string ending(const std::filesystem::path& path) {
-    std::string end = path.extension().string();
-    std::transform(end.begin(), end.end(), end.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return end;
-}
 
 [[noreturn]] void refuse(const std::filesystem::path& path, const char* endings) {
     throw lod::Error(
@@ -24,18 +15,18 @@ std::string ending(const std::filesystem::path& path) {
 }  // namespace
 
 bool is_figure_path(const std::filesystem::path& path) {
-    const std::string end = ending(path);
+    const std::string end = ending_of(path);
     return end == ".png" || end == ".svg" || end == ".pdf" || end == ".json";
 }
 
 bool is_video_path(const std::filesystem::path& path) {
-    const std::string end = ending(path);
+    const std::string end = ending_of(path);
     return end == ".mp4" || end == ".webm" || end == ".gif";
 }
 
 void write_figure(const std::filesystem::path& path, const Figure& figure,
                   const WriteOptions& options) {
-    const std::string end = ending(path);
+    const std::string end = ending_of(path);
     if (end == ".png") return write_png(path, figure, options);
     if (end == ".svg") return write_svg(path, figure, options);
     if (end == ".pdf") return write_pdf(path, figure, options);
