@@ -2,12 +2,68 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "lessons/source.hpp"
 
 namespace lessons {
 namespace {
+
+/// The end of the group that opens at `open` with '{'.
+std::size_t group_end(const std::string& latex, std::size_t open) {
+    int depth = 0;
+    for (std::size_t i = open; i < latex.size(); ++i) {
+        if (latex[i] == '{') ++depth;
+        if (latex[i] == '}' && --depth == 0) return i;
+    }
+    return latex.size();
+}
+
+/// An equation as one line of plain characters: "j = −((1 + e) v_c) / (K)".
+std::string plain_equation(std::string latex) {
+    constexpr std::string_view fraction = "\\frac{";
+    for (std::size_t at = latex.find(fraction); at != std::string::npos;
+         at = latex.find(fraction)) {
+        const std::size_t top = at + fraction.size() - 1;
+        const std::size_t top_end = group_end(latex, top);
+        const std::size_t bottom_end = group_end(latex, top_end + 1);
+        if (bottom_end >= latex.size()) break;
+        const auto part = [&](std::size_t open, std::size_t end) {
+            const std::string text = latex.substr(open + 1, end - open - 1);
+            const bool single = text.find_first_of(" +-") == std::string::npos;
+            return single ? text : "(" + text + ")";
+        };
+        latex.replace(at, bottom_end + 1 - at,
+                      part(top, top_end) + " / " + part(top_end + 1, bottom_end));
+    }
+    constexpr std::pair<std::string_view, std::string_view> words[] = {
+        {"\\left", ""},   {"\\right", ""},  {"\\qquad", "  "}, {"\\cdot", "·"},
+        {"\\times", "×"}, {"\\omega", "ω"}, {"\\le", "≤"},     {"\\,", " "},
+        {"^2", "²"},      {"{", ""},        {"}", ""},         {"-", "−"}};
+    for (const auto& [word, sign] : words)
+        for (std::size_t at = latex.find(word); at != std::string::npos; at = latex.find(word, at))
+            latex.replace(at, word.size(), sign);
+    return latex;
+}
+
+/// Every $...$ of a text in plain characters; those between $$ on a line of their own.
+std::string with_plain_equations(const std::string& markdown) {
+    std::string text;
+    for (std::size_t done = 0; done < markdown.size();) {
+        const std::size_t open = markdown.find('$', done);
+        text += markdown.substr(done, open - done);
+        if (open == std::string::npos) break;
+        const std::string fence = markdown.compare(open, 2, "$$") == 0 ? "$$" : "$";
+        const std::size_t inside = open + fence.size();
+        const std::size_t close = markdown.find(fence, inside);
+        if (close == std::string::npos) return text + markdown.substr(open);
+        text += (fence.size() == 2 ? "    " : "") +
+                plain_equation(markdown.substr(inside, close - inside));
+        done = close + fence.size();
+    }
+    return text;
+}
 
 /// Characters, not bytes: UTF-8 continuation bytes do not count.
 int width_of(std::string_view text) {
@@ -21,8 +77,7 @@ std::string without_marks(std::string word) {
     for (const std::string mark : {"**", "`"})
         for (std::size_t at = word.find(mark); at != std::string::npos; at = word.find(mark))
             word.erase(at, mark.size());
-    const bool emphasis = word.find('*') != word.rfind('*');
-    if (emphasis) std::erase(word, '*');
+    if (word != "*") std::erase(word, '*');
     return word;
 }
 
@@ -111,6 +166,7 @@ std::string wrapped(std::string_view markdown, int columns, bool styled, std::st
             wrapper.verbatim(line);
             continue;
         }
+        if (line.starts_with("> ")) line.erase(0, 2);
         std::istringstream words(line);
         bool first = true;
         for (std::string word; words >> word; first = false) {
@@ -127,7 +183,7 @@ std::string text_for_terminal(const Lesson& lesson, int columns, bool styled) {
     std::string text;
     std::size_t done = 0;
     for (const Tag& tag : find_tags(lesson.markdown, lesson.entry.slug)) {
-        text += lesson.markdown.substr(done, tag.begin - done);
+        text += with_plain_equations(lesson.markdown.substr(done, tag.begin - done));
         done = tag.end;
         if (tag.kind == "number") text += lesson.numbers.at(tag.name).text;
         if (tag.kind == "figure") text += "[Figure: " + lesson.figures.at(tag.name).alt + "]";
@@ -138,7 +194,7 @@ std::string text_for_terminal(const Lesson& lesson, int columns, bool styled) {
             for (std::string line; std::getline(lines, line);) text += "    " + line + "\n";
         }
     }
-    text += lesson.markdown.substr(done);
+    text += with_plain_equations(lesson.markdown.substr(done));
     return wrapped(text, columns, styled);
 }
 

@@ -13,8 +13,8 @@ namespace lessons {
 [[nodiscard]] std::string wrapped(std::string_view markdown, int columns, bool styled,
                                   std::string_view indent = "");
 
-/// The text of a lesson for a terminal: numbers filled in, listings indented, figures by their alt
-/// text. Requires: the lesson passed check_lesson.
+/// The text of a lesson for a terminal: numbers filled in, equations in plain characters,
+/// listings indented, figures by their alt text. Requires: the lesson passed check_lesson.
 [[nodiscard]] std::string text_for_terminal(const Lesson& lesson, int columns, bool styled);
 
 }  // namespace lessons

@@ -157,7 +157,12 @@ void steps_near_miss(Lesson& lesson, const Scene& scene) {
 /// All levels of a traversal side by side.
 viz::Figure montage(const Scene& scene, const std::string& title) {
     viz::Figure figure = viz::traversal(scene.crescent, scene.star, scene.levels);
-    for (viz::Panel& panel : figure.panels) panel.view = scene.view;
+    for (std::size_t level = 0; level < figure.panels.size(); ++level) {
+        const std::size_t pairs = scene.levels[level].pairs.size();
+        figure.panels[level].view = scene.view;
+        figure.panels[level].title = "Level " + std::to_string(level) + ": " +
+                                     (pairs == 0 ? "no pairs, apart" : pairs_text(pairs));
+    }
     figure.title = title;
     figure.numbers = {{"tests", shown_count(scene.tests())},
                       {"verdict", in_words(scene.levels.back().verdict)}};

@@ -22,9 +22,6 @@ struct Scene {
 
 [[nodiscard]] Scene make_scene();
 
-[[nodiscard]] viz::Figure draw_instant(const Scene& scene, const std::vector<lod::Body<2>>& bodies,
-                                       const lod::FrameRecord<2>& record);
-
 /// The flight, the impact and what follows, as a video.
 void animate(Lesson& lesson, const Scene& start);
 

@@ -5,6 +5,7 @@
 #include "core/traversal.hpp"
 #include "lod2d/generators.hpp"
 #include "lod2d/overlap.hpp"
+#include "viz/draw_motion.hpp"
 
 namespace lessons::impact {
 
@@ -50,39 +51,6 @@ Scene make_scene() {
     return scene;
 }
 
-viz::Figure draw_instant(const Scene& scene, const std::vector<Body<2>>& bodies,
-                         const lod::FrameRecord<2>& record) {
-    viz::Actor gear = scene.gear;
-    viz::Actor star = scene.star;
-    gear.body = bodies[0];
-    star.body = bodies[1];
-    viz::Panel panel;
-    panel.view = box(-2.2, -1.5, 3.6, 1.7);
-    add_body(panel, gear, 0);
-    add_body(panel, star, 1);
-    double pushed = 0;
-    for (std::size_t i = 0; i < record.impacts.size(); ++i) {
-        if (record.impulses[i] <= 0) continue;
-        const auto& [point, normal, depth] = record.impacts[i].contact;
-        add_disc(panel, viz::carried_node(gear.body, record.node_pairs[i].a),
-                 style(viz::Role::meeting_node, 0));
-        add_disc(panel, viz::carried_node(star.body, record.node_pairs[i].b),
-                 style(viz::Role::meeting_node, 1));
-        add_dot(panel, viz::Role::contact, point);
-        add_arrow(panel, viz::Role::impulse, point,
-                  point + impulse_length * record.impulses[i] * normal,
-                  shown(record.impulses[i], 2) + " N s");
-        add_arrow(panel, viz::Role::impulse, point,
-                  point - impulse_length * record.impulses[i] * normal);
-        pushed += record.impulses[i];
-    }
-    viz::Figure figure =
-        figure_of(std::move(panel), pushed > 0 ? "The impulse" : "A gear and a star",
-                  "The gear and the star in flight.");
-    figure.numbers = {{"energy", shown(lod::kinetic_energy<2>(bodies), 3) + " J"}};
-    return figure;
-}
-
 void animate(Lesson& lesson, const Scene& start) {
     constexpr double back = 0.9;  // [s] before the contact
     constexpr double time_step = 1.0 / 120;
@@ -96,19 +64,21 @@ void animate(Lesson& lesson, const Scene& start) {
         body.position -= back * body.velocity;
         body.orientation -= back * body.spin[0];
     }
-    lesson.animation.title = "The gear and the star meet at level " + std::to_string(start.level) +
-                             " of their trees and part";
+    viz::Run run;
+    run.name = "interrupted at level " + std::to_string(start.level);
+    run.looks = {start.gear.look, start.star.look};
+    run.time_step = time_step;
     for (int i = 0; i < frames; ++i) {
-        std::vector<Body<2>> now = bodies;
+        const std::vector<Body<2>> now = bodies;
         lod::Budget budget = lod::Budget::unlimited();
-        const lod::FrameRecord<2> record = lod::advance<2>(bodies, settings, budget, storage);
-        const bool impact =
-            record.energy_before > 0 && std::any_of(record.impulses.begin(), record.impulses.end(),
-                                                    [](double j) { return j > 0; });
-        if (i % 3 != 0 && !impact) continue;
-        const auto draw = [=] { return draw_instant(start, now, record); };
-        lesson.animation.shots.push_back({draw, impact ? 36 : 1});
+        viz::add_instant(run, now, lod::advance<2>(bodies, settings, budget, storage));
     }
+    viz::ImpactMotion motion;
+    motion.seconds = 3;
+    motion.title = "A gear and a star meet at level " + std::to_string(start.level) +
+                   " of their trees and part";
+    lesson.animation = viz::impact_motion({run}, motion);
+    lesson.animation.title = motion.title;
 }
 
 }  // namespace lessons::impact

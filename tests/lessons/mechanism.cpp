@@ -148,5 +148,14 @@ TEST_CASE("text for a terminal is wrapped by characters and loses its marks", "[
     CHECK(wrapped("**Predict:** a *b* c", 40, false) == "Predict: a b c\n");
     CHECK(wrapped("**Predict:** a", 40, true) == "\033[1mPredict:\033[0m a\n");
     CHECK(wrapped("- one\n- two", 40, false) == "- one\n- two\n");
+    CHECK(wrapped("so *at any moment*, yes", 40, false) == "so at any moment, yes\n");
+    CHECK(wrapped("> **Predict:** a\n> b", 40, false) == "Predict: a b\n");
     CHECK(wrapped("a\n\nb", 40, false) == "a\n\nb\n");
+}
+
+TEST_CASE("an equation is shown in a terminal in plain characters", "[lessons]") {
+    Lesson lesson = small_lesson();
+    lesson.markdown = "# T\n\nWith $r_a$:\n\n$$ j = -\\frac{(1 + e)\\, v_c}{K} $$\n";
+    CHECK(text_for_terminal(lesson, 80, false) ==
+          "# T\n\nWith r_a:\n\n     j = −((1 + e)  v_c) / K \n");
 }
