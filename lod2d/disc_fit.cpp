@@ -38,7 +38,8 @@ Point walk_downhill(const Excess& excess, Point best, double step, double least_
     }();
     double least = excess(best);
     double depth = excess.radius(best) - least;
-    while (step > least_step && least > 0) {
+    // A step changes the excess by at most twice its length.
+    while (step > std::max(least_step, 0.005 * least)) {
         Point next = best;
         for (const Point& way : ways) {
             const Point x = best + step * way;

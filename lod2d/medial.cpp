@@ -95,6 +95,7 @@ lod::SphereTree<2> build_medial(const Polygon& polygon, const PolygonPiece& whol
     settings.branching = config.branching;
     settings.depth = config.depth;
     settings.least_protrusion = config.least_protrusion * 2 * root.radius;
+    settings.look_ahead_above = config.look_ahead_above * 2 * root.radius;
     settings.most_rounds = config.most_rounds;
     settings.progress = config.progress;
     lod::check_grow_settings(settings);

@@ -13,11 +13,12 @@ namespace lod2d {
 /// them. They are then fitted to the pieces of their power diagram, as by build_pieces, whose
 /// starts are tried too.
 struct MedialConfig {
-    int branching = 4;               ///< see lod::GrowSettings
-    int depth = 4;                   ///< see lod::GrowSettings
-    double least_protrusion = 1e-7;  ///< share of the root circle's diameter
-    int most_rounds = 12;            ///< of Lloyd's method from each start
-    int samples = 48;                ///< discs and points tried along a piece's border, 8 to 512
+    int branching = 4;                ///< see lod::GrowSettings
+    int depth = 4;                    ///< see lod::GrowSettings
+    double least_protrusion = 1e-7;   ///< share of the root circle's diameter
+    double look_ahead_above = 0.005;  ///< share of the same; see lod::GrowSettings
+    int most_rounds = 12;             ///< of Lloyd's method from each start
+    int samples = 48;                 ///< discs and points tried along a piece's border, 8 to 512
     std::function<void(double)> progress{};  ///< share of the work done
 };
 

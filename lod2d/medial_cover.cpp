@@ -1,7 +1,9 @@
 #include "lod2d/medial_cover.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 namespace lod2d {
 namespace {
@@ -11,7 +13,7 @@ using Disc = lod::Sphere<2>;
 class Cover {
   public:
     Cover(std::span<const Point> points, std::span<const Disc> discs)
-        : points_(points.size()), discs_(discs.size()) {
+        : points_(points.size()), discs_(discs.size()), words_((points.size() + 63) / 64) {
         need_.reserve(points_ * discs_);
         for (const Disc& disc : discs)
             for (const Point& p : points)
@@ -24,16 +26,18 @@ class Cover {
     /// Takes the disc that holds the most points not yet held, again and again; fewer than all
     /// points may be held at the end.
     [[nodiscard]] std::vector<std::size_t> greedy(double allowance, int count, bool& all) const {
-        std::vector<char> held(points_, 0);
-        std::vector<std::size_t> chosen;
+        const std::vector<std::uint64_t> holds = held_by_each(allowance);
+        std::vector<std::uint64_t> open(words_, ~std::uint64_t{0});
         std::size_t left = points_;
+        std::vector<std::size_t> chosen;
         while (left > 0 && static_cast<int>(chosen.size()) < count) {
             std::size_t best = 0;
             std::size_t best_gain = 0;
             for (std::size_t d = 0; d < discs_; ++d) {
                 std::size_t gain = 0;
-                for (std::size_t p = 0; p < points_; ++p)
-                    gain += !held[p] && need(d, p) <= allowance;
+                for (std::size_t w = 0; w < words_; ++w)
+                    gain +=
+                        static_cast<std::size_t>(std::popcount(holds[d * words_ + w] & open[w]));
                 if (gain > best_gain) {
                     best = d;
                     best_gain = gain;
@@ -41,7 +45,7 @@ class Cover {
             }
             if (best_gain == 0) break;
             chosen.push_back(best);
-            for (std::size_t p = 0; p < points_; ++p) held[p] |= need(best, p) <= allowance;
+            for (std::size_t w = 0; w < words_; ++w) open[w] &= ~holds[best * words_ + w];
             left -= best_gain;
         }
         all = left == 0;
@@ -54,8 +58,18 @@ class Cover {
     }
 
   private:
+    /// The points that each disc holds, one bit each, words_ words a disc.
+    [[nodiscard]] std::vector<std::uint64_t> held_by_each(double allowance) const {
+        std::vector<std::uint64_t> holds(discs_ * words_, 0);
+        for (std::size_t d = 0; d < discs_; ++d)
+            for (std::size_t p = 0; p < points_; ++p)
+                holds[d * words_ + p / 64] |= std::uint64_t{need(d, p) <= allowance} << p % 64;
+        return holds;
+    }
+
     std::size_t points_;
     std::size_t discs_;
+    std::size_t words_;
     std::vector<double> need_;
 };
 

@@ -29,6 +29,7 @@ lod::SphereTree<2> build_pieces(const PolygonPiece& whole, const BoundaryIndex& 
     settings.branching = config.branching;
     settings.depth = config.depth;
     settings.least_protrusion = config.least_protrusion * 2 * root.radius;
+    settings.look_ahead_above = config.look_ahead_above * 2 * root.radius;
     settings.most_rounds = config.most_rounds;
     settings.progress = config.progress;
     return lod::grow_tree<2>(whole, root, strategy, settings);

@@ -12,6 +12,7 @@ struct PiecesConfig {
     int branching = 4;                       ///< see lod::GrowSettings
     int depth = 4;                           ///< see lod::GrowSettings
     double least_protrusion = 1e-7;          ///< share of the root circle's diameter
+    double look_ahead_above = 0.005;         ///< share of the same; see lod::GrowSettings
     int most_rounds = 12;                    ///< of Lloyd's method from each start
     std::function<void(double)> progress{};  ///< share of the work done
 };

@@ -20,6 +20,8 @@ struct GrowSettings {
     int depth = 4;      ///< levels below the root, 0 to 12; branching^depth is at most 1048576
     /// A node that stands out of the shape by no more is not divided further [m].
     double least_protrusion = 0;
+    /// A node that stands out by more is divided with a look at the level after the next [m].
+    double look_ahead_above = 0;
     int most_rounds = 12;      ///< of splitting and fitting again, for each start
     double least_gain = 0.01;  ///< a round that improves by a smaller share is the last
     /// Called with the share of the work done, 0 to 1, never decreasing.
@@ -78,7 +80,7 @@ class Grower {
         const bool fine = strategy_.protrusion(nodes_[node].sphere) <= settings_.least_protrusion;
         if (levels_left == 0 || fine) return report(work_below_[as_index(levels_left)]);
         report(1);
-        Cover<Dim> cover = best_cover(owned, nodes_[node].sphere);
+        Cover<Dim> cover = best_cover(owned, nodes_[node].sphere, levels_left);
         const std::vector<Piece> pieces = settled_pieces(owned, cover);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const std::size_t child = nodes_.size();
@@ -90,48 +92,48 @@ class Grower {
                work_below_[as_index(levels_left - 1)]);
     }
 
-    /// The cover whose worst ball stands out least, among those that part the shape's surface: one
-    /// ball that keeps nearly all of it, over a pocket or from tip to tip, may stand out no more
-    /// than smaller balls would, but leaves the next level where this one was.
-    class Choice {
-      public:
-        Choice(const Piece& owned, int branching)
-            : owned_(owned), most_share_(1 - 0.5 / branching) {}
-
-        /// Requires cover.worst to be a protrusion.
-        void consider(const Cover<Dim>& cover) {
-            if (parts_ && cover.worst >= best_.worst) return;
-            const bool parts = largest_share(cover) <= most_share_;
-            if (parts_ ? !parts : !parts && cover.worst >= best_.worst) return;
-            best_ = cover;
-            parts_ = parts;
-        }
-        [[nodiscard]] const Cover<Dim>& best() const { return best_; }
-
-      private:
-        [[nodiscard]] double largest_share(const Cover<Dim>& cover) const {
-            const double surface = owned_.surface_measure();
-            double largest = 0;
-            for (const Piece& p : split<Dim>(owned_, std::span<const Sphere<Dim>>(cover.balls)))
-                largest = std::max(largest, surface > 0 ? p.surface_measure() : p.measure());
-            return largest / (surface > 0 ? surface : owned_.measure());
-        }
-
-        const Piece& owned_;
-        double most_share_;
-        Cover<Dim> best_;
-        bool parts_ = false;
-    };
-
-    Cover<Dim> best_cover(const Piece& owned, const Sphere<Dim>& ball) const {
-        Choice choice(owned, settings_.branching);
+    /// From all starts, the cover whose worst ball stands out least; while the parent stands out
+    /// far, the one that looks best on the next level too.
+    Cover<Dim> best_cover(const Piece& owned, const Sphere<Dim>& ball, int levels_left) const {
+        std::vector<Cover<Dim>> candidates;
         for (const auto& start : strategy_.starts(owned, ball, settings_.branching)) {
-            const Cover<Dim> small = improved(owned, start, Aim::small, nullptr);
-            (void)improved(owned, start, Aim::close, &choice);
-            (void)improved(owned, small.balls, Aim::close, &choice);
-            choice.consider({small.balls, worst_protrusion(small.balls)});
+            Cover<Dim> small = improved(owned, start, Aim::small);
+            candidates.push_back(improved(owned, start, Aim::close));
+            candidates.push_back(improved(owned, small.balls, Aim::close));
+            small.worst = worst_protrusion(small.balls);
+            candidates.push_back(std::move(small));
         }
-        return choice.best();
+        const bool far = strategy_.protrusion(ball) > settings_.look_ahead_above;
+        const Cover<Dim>* best = nullptr;
+        double least = 0;
+        for (const Cover<Dim>& cover : candidates) {
+            const double cost = far && levels_left > 1 ? cost_ahead(owned, cover) : cover.worst;
+            if (best != nullptr && cost >= least) continue;
+            best = &cover;
+            least = cost;
+        }
+        return *best;
+    }
+
+    /// The cover's worst protrusion and, counted double, that of a first attempt to divide its own
+    /// pieces further. One ball over a pocket, or from tip to tip, may stand out no more than
+    /// smaller balls would, but keeps all the shape to itself and leaves the next level where this
+    /// one was.
+    double cost_ahead(const Piece& owned, const Cover<Dim>& cover) const {
+        double next = 0;
+        for (std::size_t i = 0; i < cover.balls.size(); ++i) {
+            check_interrupted();
+            const Piece part =
+                owned.within(power_cell<Dim>(std::span<const Sphere<Dim>>(cover.balls), i));
+            if (part.vertices().empty()) continue;
+            const double now = strategy_.protrusion(cover.balls[i]);
+            if (now <= next) continue;
+            double then = now;
+            for (const auto& start : strategy_.starts(part, cover.balls[i], settings_.branching))
+                then = std::min(then, fitted(part, start, Aim::close).worst);
+            next = std::max(next, then);
+        }
+        return cover.worst + 2 * next;
     }
 
     double worst_protrusion(const std::vector<Sphere<Dim>>& balls) const {
@@ -142,11 +144,9 @@ class Grower {
 
     /// Splits and fits again while that pays, as Lloyd's method does. It cannot get worse: a ball
     /// of the last round holds its new piece, since each point lies in the ball of its power cell.
-    Cover<Dim> improved(const Piece& owned, const std::vector<Sphere<Dim>>& start, Aim aim,
-                        Choice* choice) const {
+    Cover<Dim> improved(const Piece& owned, const std::vector<Sphere<Dim>>& start, Aim aim) const {
         Cover<Dim> cover = fitted(owned, start, aim);
         for (int round = 1;; ++round) {
-            if (choice != nullptr) choice->consider(cover);
             if (round >= settings_.most_rounds) break;
             Cover<Dim> next = fitted(owned, cover.balls, aim);
             const bool pays = next.worst < cover.worst * (1 - settings_.least_gain);
