@@ -33,8 +33,12 @@ void make_static(Body<Dim>& body) {
 }
 
 namespace {
-bool all_finite(double angle) { return std::isfinite(angle); }
-bool all_finite(const Eigen::Quaterniond& q) { return q.coeffs().allFinite(); }
+bool all_finite(double angle) {
+    return std::isfinite(angle);
+}
+bool all_finite(const Eigen::Quaterniond& q) {
+    return q.coeffs().allFinite();
+}
 }  // namespace
 
 template <int Dim>
@@ -55,8 +59,7 @@ double kinetic_energy(std::span<const Body<Dim>> bodies) {
     double energy = 0;
     for (const Body<Dim>& body : bodies) {
         if (body.is_static()) continue;
-        const Matrix<Dim> rotation = Space<Dim>::rotation(body.orientation);
-        const Spin<Dim> turning = Space<Dim>::carried(rotation, body.inertia) * body.spin;
+        const Spin<Dim> turning = Space<Dim>::carried(body.orientation, body.inertia) * body.spin;
         energy += 0.5 * (body.velocity.squaredNorm() / body.inverse_mass + body.spin.dot(turning));
     }
     return energy;
@@ -75,19 +78,18 @@ Spin<Dim> angular_momentum(std::span<const Body<Dim>> bodies) {
     Spin<Dim> total = Spin<Dim>::Zero();
     for (const Body<Dim>& body : bodies) {
         if (body.is_static()) continue;
-        const Matrix<Dim> rotation = Space<Dim>::rotation(body.orientation);
-        total += Space<Dim>::carried(rotation, body.inertia) * body.spin;
+        total += Space<Dim>::carried(body.orientation, body.inertia) * body.spin;
         total += Space<Dim>::moment(body.position, Vector<Dim>(body.velocity / body.inverse_mass));
     }
     return total;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                     \
-    template void set_mass(Body<Dim>&, double, const Inertia<Dim>&);             \
-    template void make_static(Body<Dim>&);                                       \
-    template void check_body(const Body<Dim>&, const std::string&);              \
-    template double kinetic_energy(std::span<const Body<Dim>>);                  \
-    template Vector<Dim> momentum(std::span<const Body<Dim>>);                   \
+#define LOD_INSTANTIATE(Dim)                                         \
+    template void set_mass(Body<Dim>&, double, const Inertia<Dim>&); \
+    template void make_static(Body<Dim>&);                           \
+    template void check_body(const Body<Dim>&, const std::string&);  \
+    template double kinetic_energy(std::span<const Body<Dim>>);      \
+    template Vector<Dim> momentum(std::span<const Body<Dim>>);       \
     template Spin<Dim> angular_momentum(std::span<const Body<Dim>>);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)

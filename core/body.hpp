@@ -51,7 +51,7 @@ template <int Dim>
 /// I^-1 carried to the world frame.
 template <int Dim>
 [[nodiscard]] Inertia<Dim> world_inverse_inertia(const Body<Dim>& body) {
-    return Space<Dim>::carried(Space<Dim>::rotation(body.orientation), body.inverse_inertia);
+    return Space<Dim>::carried(body.orientation, body.inverse_inertia);
 }
 
 /// Sums over the bodies that can move.

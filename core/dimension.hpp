@@ -74,11 +74,13 @@ struct Space {
     }
 
     /// An inertia, or its inverse, carried from the body frame to the world frame: R I R^T.
-    static Inertia carried(const Matrix& rotation, const Inertia& inertia) {
-        if constexpr (Dim == 2)
+    static Inertia carried(const Orientation& orientation, const Inertia& inertia) {
+        if constexpr (Dim == 2) {
             return inertia;
-        else
-            return rotation * inertia * rotation.transpose();
+        } else {
+            const Matrix R = rotation(orientation);
+            return R * inertia * R.transpose();
+        }
     }
 
     /// Into how many steps free_turn must be split so that its iteration settles (it contracts by a
