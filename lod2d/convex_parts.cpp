@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
 
 #include "core/error.hpp"
 
@@ -161,6 +162,34 @@ class Sweep {
 
 ConvexParts convex_parts(const Polygon& polygon) {
     return Sweep(polygon).run();
+}
+
+namespace {
+
+void add_halves(std::span<const Point> corners, std::size_t most, ConvexParts& result) {
+    if (corners.size() <= most) {
+        result.corners.insert(result.corners.end(), corners.begin(), corners.end());
+        result.begin.push_back(static_cast<std::int32_t>(result.corners.size()));
+        return;
+    }
+    // From the first corner to the one across: both keep at least 3.
+    const std::size_t across = corners.size() / 2;
+    add_halves(corners.first(across + 1), most, result);
+    std::vector<Point> rest(corners.begin() + static_cast<std::ptrdiff_t>(across), corners.end());
+    rest.push_back(corners.front());
+    add_halves(rest, most, result);
+}
+
+}  // namespace
+
+ConvexParts with_at_most(const ConvexParts& parts, std::size_t most) {
+    ConvexParts result;
+    for (std::size_t i = 0; i < parts.count(); ++i) {
+        const auto begin = static_cast<std::size_t>(parts.begin[i]);
+        const auto end = static_cast<std::size_t>(parts.begin[i + 1]);
+        add_halves(std::span(parts.corners).subspan(begin, end - begin), most, result);
+    }
+    return result;
 }
 
 }  // namespace lod2d

@@ -24,4 +24,8 @@ struct ConvexParts {
 /// abscissa.
 [[nodiscard]] ConvexParts convex_parts(const Polygon& polygon);
 
+/// The same parts, those with more than `most` corners cut in halves, from corner to corner, until
+/// none has more. Requires most >= 3.
+[[nodiscard]] ConvexParts with_at_most(const ConvexParts& parts, std::size_t most);
+
 }  // namespace lod2d

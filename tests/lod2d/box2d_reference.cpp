@@ -1,0 +1,168 @@
+#include "lod2d/box2d_reference.hpp"
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/frame.hpp"
+#include "lod2d/build_tree.hpp"
+#include "lod2d/generators.hpp"
+#include "tests/catch.hpp"
+
+using namespace lod2d;
+
+namespace {
+
+/// Single precision: some 30 roundings of 6e-8 between the pose and the velocity, no cancellation
+/// beyond the size of the terms.
+constexpr double single = 2e-6;
+
+lod::Body<2> body_of(const Shape& shape, double mass, Point x, Point v, double angle = 0,
+                     double spin = 0) {
+    lod::Body<2> body;
+    lod::set_mass<2>(body, mass,
+                     lod::Inertia<2>::Constant(mass * shape.second_moment / shape.area));
+    body.position = x;
+    body.velocity = v;
+    body.orientation = angle;
+    body.spin[0] = spin;
+    return body;
+}
+
+double energy(const std::vector<lod::Body<2>>& bodies) {
+    return lod::kinetic_energy<2>(bodies);
+}
+
+double ring_area(std::span<const Point> ring) {
+    double twice = 0;
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+        const Point u = ring[i] - ring[0];
+        const Point v = ring[i + 1] - ring[0];
+        twice += u.x() * v.y() - u.y() * v.x();
+    }
+    return twice / 2;
+}
+
+}  // namespace
+
+TEST_CASE("convex parts of at most 8 corners still make up the shape", "[box2d]") {
+    for (const char* spec :
+         {"box", "disc:100", "star:9", "gear:12", "ring:0.7", "spiral", "blob:3"}) {
+        const Shape shape = generate(spec);
+        for (const std::size_t most : {3u, 4u, 8u}) {
+            const ConvexParts parts = with_at_most(convex_parts(shape.polygon), most);
+            double area = 0;
+            for (std::size_t i = 0; i < parts.count(); ++i) {
+                const auto begin = static_cast<std::size_t>(parts.begin[i]);
+                const auto count = static_cast<std::size_t>(parts.begin[i + 1]) - begin;
+                CHECK(count >= 3);
+                CHECK(count <= most);
+                const double part = ring_area(std::span(parts.corners).subspan(begin, count));
+                CHECK(part >= -1e-15);  // anticlockwise
+                area += part;
+            }
+            INFO(spec << ", at most " << most);
+            CHECK(area == Approx(shape.area).epsilon(1e-12));
+        }
+    }
+}
+
+TEST_CASE("Box2D agrees with the exact impact of two offset boxes", "[box2d]") {
+    const Shape box = generate("box:1,1");
+    const std::vector<lod::Body<2>> bodies{body_of(box, 1, {0, 0}, {2, 0}),
+                                           body_of(box, 1, {1.1, 0.4}, {0, 0})};
+    const Shape* const shapes[] = {&box, &box};
+    const Box2dImpact impact = run_to_impact(bodies, shapes);
+    REQUIRE(impact.happened);
+    double j = 0;
+    for (const Box2dContact& contact : impact.contacts) {
+        CHECK((contact.normal - Point(1, 0)).norm() < 1e-6);
+        j += contact.impulse;
+    }
+    CHECK(impact.contacts.size() == 2);  // the two ends of the faces' common part
+    CHECK(j == Approx(50.0 / 31).epsilon(single));
+    for (const auto& body : impact.after) CHECK(body.spin[0] == Approx(60.0 / 31).epsilon(single));
+    CHECK(impact.after[0].velocity.x() == Approx(2 - 50.0 / 31).epsilon(single));
+    CHECK(impact.after[1].velocity.x() == Approx(50.0 / 31).epsilon(single));
+    CHECK(energy(impact.after) == Approx(2).epsilon(single));
+    // A gap of 0.1 m at 2 m/s, less two skins of 0.01 units; at the next step's beginning.
+    CHECK(impact.time > 0.05 - 0.02 / 16 / 2 - 1e-6);
+    CHECK(impact.time < 0.05 - 0.02 / 16 / 2 + 2.0 / 960);
+}
+
+TEST_CASE("Box2D takes the smaller restitution and knows static bodies", "[box2d]") {
+    const Shape box = generate("box:1,1");
+    std::vector<lod::Body<2>> bodies{body_of(box, 1, {0, 0}, {0, 0}),
+                                     body_of(box, 3, {0.2, 1.05}, {0, -1})};
+    lod::make_static(bodies[0]);
+    bodies[1].restitution = 0.25;
+    const Shape* const shapes[] = {&box, &box};
+    const Box2dImpact impact = run_to_impact(bodies, shapes);
+    REQUIRE(impact.happened);
+    CHECK(impact.after[0].velocity.isZero(0));
+    // Flat on a face that reaches below the centre on both sides: it bounces without spin.
+    CHECK(impact.after[1].velocity.y() == Approx(0.25).epsilon(1e-5));
+    CHECK(std::abs(impact.after[1].spin[0]) < 1e-5);
+}
+
+TEST_CASE("bodies that miss each other run to the last step", "[box2d]") {
+    const Shape star = generate("star:5");
+    const std::vector<lod::Body<2>> bodies{body_of(star, 1, {0, 0}, {1, 0}),
+                                           body_of(star, 1, {0, 3}, {-1, 0})};
+    const Shape* const shapes[] = {&star, &star};
+    Box2dSettings settings;
+    settings.most_steps = 500;
+    const Box2dImpact impact = run_to_impact(bodies, shapes, settings);
+    CHECK_FALSE(impact.happened);
+    CHECK(impact.contacts.empty());
+    CHECK(impact.after[0].velocity.x() == Approx(1).epsilon(single));
+}
+
+TEST_CASE("a shape too fine for Box2D is refused with the mend", "[box2d]") {
+    const Shape comb = generate("comb:500");  // prongs of 1 mm
+    const std::vector<lod::Body<2>> bodies{body_of(comb, 1, {0, 0}, {1, 0}),
+                                           body_of(comb, 1, {3, 0}, {0, 0})};
+    const Shape* const shapes[] = {&comb, &comb};
+    Box2dSettings coarse;
+    coarse.units_per_metre = 1;
+    CHECK_THROWS_AS(run_to_impact(bodies, shapes, coarse), lod::Error);
+    CHECK_NOTHROW(run_to_impact(bodies, shapes));
+}
+
+TEST_CASE("from Box2D's own contact lodlab finds the same velocities", "[box2d]") {
+    // Concave shapes, corner on edge: one contact, no freedom left in how impulses are shared.
+    struct Scene {
+        const char* a;
+        const char* b;
+        double angle;
+    };
+    int compared = 0;
+    for (const Scene& scene : {Scene{"gear:9", "star:5", 0.3},
+                               {"L", "star:7", 1.2},
+                               {"star:5", "cross", 0.4},
+                               {"arrow", "blob:3", 2.1}}) {
+        const Shape a = generate(scene.a);
+        const Shape b = generate(scene.b);
+        const std::vector<lod::Body<2>> bodies{body_of(a, 1, {-1, 0}, {1.5, 0.2}, scene.angle, 0.8),
+                                               body_of(b, 2, {0.6, 0.15}, {-1, 0}, 0.2, -1.1)};
+        const Shape* const shapes[] = {&a, &b};
+        const Box2dImpact impact = run_to_impact(bodies, shapes);
+        REQUIRE(impact.happened);
+        INFO(scene.a << " and " << scene.b << ": " << impact.contacts.size() << " contacts");
+        CHECK(energy(impact.after) == Approx(energy(impact.before)).epsilon(1e-5));
+        if (impact.contacts.size() != 1) continue;
+        ++compared;
+        const Box2dContact& touch = impact.contacts[0];
+        auto after = impact.before;
+        const lod::Contact<2> contact{touch.point, touch.normal, 0};
+        const double j = lod::single_impulse(after[0], after[1], contact);
+        lod::apply_impulse(after[0], after[1], contact, j);
+        // Box2D puts the point midway between the skins, to a slop; positions of 16 units are
+        // rounded to 1e-6 units, arms of 8 units by as much: relative 1e-6, and 10 such terms.
+        CHECK(touch.impulse == Approx(j).epsilon(1e-5));
+        for (std::size_t i = 0; i < 2; ++i) {
+            CHECK((after[i].velocity - impact.after[i].velocity).norm() < 3e-5);
+            CHECK(std::abs(after[i].spin[0] - impact.after[i].spin[0]) < 1e-4);
+        }
+    }
+    CHECK(compared >= 2);
+}
