@@ -76,11 +76,15 @@ std::map<std::string, Number> numbers_of_level(const Scene& scene, std::size_t l
             {"front", count(front.pairs.size(), front.pairs.size() == 1 ? "pair" : "pairs")}};
 }
 
-Scene make_scene(const Vec& star_position, double star_angle) {
-    Scene scene;
-    scene.star.body.position = star_position;
-    scene.star.body.orientation = star_angle;
+/// Stands the star at x, a little above the middle of the crescent's mouth, and traverses anew.
+void place_star(Scene& scene, double x) {
+    scene.star.body.position = Vec(x, 0.02);
+    scene.star.body.orientation = 0.3;
     scene.levels = lod::traverse_levels<2>(scene.crescent.body, scene.star.body);
+}
+
+/// The box round every circle that a test touches.
+void frame_scene(Scene& scene) {
     std::vector<lod::Sphere<2>> discs;
     for (int level = 0; level < static_cast<int>(scene.levels.size()); ++level) {
         const viz::TestedNodes tested =
@@ -89,6 +93,31 @@ Scene make_scene(const Vec& star_position, double star_angle) {
         for (int node : tested.b) discs.push_back(viz::carried_node(scene.star.body, node));
     }
     scene.view = viz::grown(box_round(discs), 0.02);
+}
+
+constexpr double outside = 0.8;     ///< x of a star that is well within the mouth [m]
+constexpr double approach = 0.005;  // [m] a try
+
+/// The first place on the way in where the proof takes three levels.
+Scene near_miss() {
+    constexpr std::size_t wanted = 4;  // levels 0 to 3
+    Scene scene;
+    double x = outside;
+    do place_star(scene, x -= approach);
+    while (scene.levels.size() < wanted);
+    frame_scene(scene);
+    return scene;
+}
+
+/// Where the star has just gone in a little way.
+Scene collision() {
+    constexpr double inside = 0.03;  // [m]
+    Scene scene;
+    double x = outside;
+    do place_star(scene, x -= approach);
+    while (!scene.truly_touch());
+    place_star(scene, x - inside);
+    frame_scene(scene);
     return scene;
 }
 
@@ -163,6 +192,8 @@ viz::Figure montage(const Scene& scene, const std::string& title) {
         figure.panels[level].title = "Level " + std::to_string(level) + ": " +
                                      (pairs == 0 ? "no pairs, apart" : pairs_text(pairs));
     }
+    figure.columns = figure.panels.size() == 4 ? 2 : 3;
+    figure.aspect = page_aspect;
     figure.title = title;
     figure.numbers = {{"tests", shown_count(scene.tests())},
                       {"verdict", in_words(scene.levels.back().verdict)}};
@@ -336,8 +367,8 @@ void animate(Lesson& lesson, const Scene& miss, const Scene& hit) {
 }  // namespace
 
 void make_traversal(Lesson& lesson) {
-    const Scene miss = make_scene({0.665, 0.02}, 0.3);
-    const Scene hit = make_scene({0.57, 0.02}, 0.3);
+    const Scene miss = near_miss();
+    const Scene hit = collision();
     for (std::size_t level = 0; level < miss.levels.size(); ++level) {
         const std::string name = std::to_string(level);
         lesson.numbers["tests " + name] = count(tests_of_level(miss, level));

@@ -1,3 +1,7 @@
+#include <pty.h>
+#include <termios.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <regex>
 #include <sstream>
@@ -78,6 +82,29 @@ TEST_CASE("the ends, a wrong number and an unknown command are answered in words
     CHECK(session("0\n").find("steps 1 to 3") != std::string::npos);
     CHECK(session("hello\n").find("'hello' is no command") != std::string::npos);
     CHECK(session("?\n").find("go to step") != std::string::npos);
+}
+
+TEST_CASE("a terminal steps by single keys, arrows among them, and is left as it was",
+          "[lessons]") {
+    int screen = -1;  // the end that a terminal program would hold
+    int keyboard = -1;
+    REQUIRE(openpty(&screen, &keyboard, nullptr, nullptr, nullptr) == 0);
+    termios before{};
+    REQUIRE(tcgetattr(keyboard, &before) == 0);
+    const std::string keys =
+        " \033[D\033[C\033OD"
+        "3\ng2\nnbpq";
+    REQUIRE(write(screen, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
+    StepperOptions options;
+    options.keyboard = keyboard;
+    CHECK(shown_steps(session("", options)) ==
+          "121213"
+          "2321");
+    termios after{};
+    REQUIRE(tcgetattr(keyboard, &after) == 0);
+    CHECK(after.c_lflag == before.c_lflag);
+    close(screen);
+    close(keyboard);
 }
 
 TEST_CASE("stepping begins at the step that was asked for, or says which there are", "[lessons]") {
