@@ -36,8 +36,11 @@ lod::SphereTree<2> built(const Shape& shape, const PolygonPiece& whole,
             return build_quadtree(whole, {settings.depth, settings.progress});
         case Builder::pieces:
             return build_pieces(whole, index, configured<PiecesConfig>(settings));
-        case Builder::medial:
-            return build_medial(shape.polygon, whole, index, configured<MedialConfig>(settings));
+        case Builder::medial: {
+            auto config = configured<MedialConfig>(settings);
+            config.normal_weight = settings.normal_weight;
+            return build_medial(shape.polygon, whole, index, config);
+        }
     }
     throw lod::Error(lod::ErrorKind::usage, "there is no such builder of circle trees");
 }

@@ -13,8 +13,10 @@ namespace {
 /// R(x) - depth(x), to be made least.
 class Excess {
   public:
-    Excess(const BoundaryIndex& shape, std::span<const Point> corners)
-        : shape_(shape), corners_(corners) {}
+    Excess(const BoundaryIndex& shape, std::span<const Point> corners, double most_radius)
+        : shape_(shape), corners_(corners), most_radius_(most_radius) {}
+
+    [[nodiscard]] double most_radius() const { return most_radius_; }
 
     [[nodiscard]] double radius(const Point& x) const {
         return lod::farthest_distance<2>(x, corners_);
@@ -27,6 +29,7 @@ class Excess {
   private:
     const BoundaryIndex& shape_;
     std::span<const Point> corners_;
+    double most_radius_;
 };
 
 /// Compass search: eight ways from the best point so far; a step that finds nothing is halved.
@@ -44,7 +47,8 @@ Point walk_downhill(const Excess& excess, Point best, double step, double least_
         for (const Point& way : ways) {
             const Point x = best + step * way;
             // Depth changes by no more than one moves.
-            if (excess.radius(x) - depth - step >= least) continue;
+            const double radius = excess.radius(x);
+            if (radius > excess.most_radius() || radius - depth - step >= least) continue;
             const double value = excess(x);
             if (value >= least) continue;
             least = value;
@@ -91,10 +95,11 @@ std::vector<Point> convex_hull(std::span<const Point> points) {
 lod::Sphere<2> DiscFit::fit(const PolygonPiece& piece, const lod::Sphere<2>& start) const {
     const std::vector<Point> corners = convex_hull(piece.vertices());
     const lod::Sphere<2> least_disc = lod::enclosing_ball<2>(corners);
-    const Excess excess(shape_, corners);
+    const Excess excess(shape_, corners, most_growth_ * least_disc.radius);
+    const bool start_small = excess.radius(start.centre) <= excess.most_radius();
     const double from_start = excess(start.centre);
     const double from_least = excess(least_disc.centre);
-    const Point from = from_start < from_least ? start.centre : least_disc.centre;
+    const Point from = start_small && from_start < from_least ? start.centre : least_disc.centre;
     const double reach = std::max(excess.radius(from), least_disc.radius);
     const Point centre = walk_downhill(excess, from, reach / 4, reach * 1e-5);
     // Rounding in the hull may drop a corner that stands out of it by a hair.

@@ -14,8 +14,11 @@ namespace lod2d {
 /// Fits discs to pieces so that they stand out of the shape as little as can be.
 class DiscFit {
   public:
-    /// The index must outlive this. A disc holds its piece with `spare` left [m].
-    DiscFit(const BoundaryIndex& shape, double spare) : shape_(shape), spare_(spare) {}
+    /// The index must outlive this. A disc holds its piece with `spare` left [m], and is at most
+    /// `most_growth` times (>= 1) as large as the piece's least enclosing disc: without a limit the
+    /// discs of two sides meet on the medial axis, and one power cell takes both.
+    DiscFit(const BoundaryIndex& shape, double spare, double most_growth = 1e9)
+        : shape_(shape), spare_(spare), most_growth_(most_growth) {}
 
     /// A disc that holds the piece's vertices. Of the starting disc's centre and the centre of the
     /// least enclosing disc it takes the better and walks downhill: about a centre x the disc needs
@@ -30,6 +33,7 @@ class DiscFit {
   private:
     const BoundaryIndex& shape_;
     double spare_;
+    double most_growth_;
 };
 
 }  // namespace lod2d

@@ -22,8 +22,12 @@ std::vector<Point> thinned(const std::vector<Point>& points, std::size_t most) {
 
 class MedialStarts : public DiscFit {
   public:
-    MedialStarts(const Polygon& polygon, const BoundaryIndex& shape, double spare, int samples)
-        : DiscFit(shape, spare), axis_(polygon), samples_(samples) {
+    MedialStarts(const Polygon& polygon, const BoundaryIndex& shape, double spare,
+                 const MedialConfig& config)
+        : DiscFit(shape, spare, config.normal_weight > 0 ? config.most_growth : no_limit),
+          axis_(polygon),
+          samples_(config.samples),
+          normal_weight_(config.normal_weight) {
         for (const Ring& ring : polygon.rings)
             for (std::size_t i = 0; i < ring.size(); ++i)
                 edges_.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
@@ -32,10 +36,13 @@ class MedialStarts : public DiscFit {
     [[nodiscard]] std::vector<std::vector<Disc>> starts(const PolygonPiece& piece, const Disc&,
                                                         int count) const {
         const std::vector<Point> corners = convex_hull(piece.vertices());
-        std::vector<Point> points = thinned(corners, static_cast<std::size_t>(samples_));
-        std::vector<Disc> discs;
+        std::vector<FacingPoint> points;
+        for (const Point& p : thinned(corners, static_cast<std::size_t>(samples_)))
+            points.push_back({p, Point(0, 0)});
+        std::vector<FacingDisc> discs;
         gather(piece, points, discs);
-        std::vector<std::vector<Disc>> result{least_growth_cover(points, discs, count)};
+        std::vector<std::vector<Disc>> result{
+            least_growth_cover(points, discs, count, normal_weight_)};
         if (result[0].empty()) result.clear();
         result.push_back(lod::far_apart<2>(piece.vertices(), count));
         result.push_back(lod::along_longest_axis<2>(corners, count));
@@ -45,8 +52,8 @@ class MedialStarts : public DiscFit {
   private:
     /// Points spread along the piece's border, closer together at the ends of its segments, where a
     /// corner may be, and the largest discs that touch the border there.
-    void gather(const PolygonPiece& piece, std::vector<Point>& points,
-                std::vector<Disc>& discs) const {
+    void gather(const PolygonPiece& piece, std::vector<FacingPoint>& points,
+                std::vector<FacingDisc>& discs) const {
         const double length = piece.surface_measure();
         double passed = 0;
         double next = 0;
@@ -64,20 +71,29 @@ class MedialStarts : public DiscFit {
         }
     }
 
-    void gather(const BorderSegment& segment, double share, std::vector<Point>& points,
-                std::vector<Disc>& discs) const {
+    void gather(const BorderSegment& segment, double share, std::vector<FacingPoint>& points,
+                std::vector<FacingDisc>& discs) const {
         const Point p = segment.from + share * (segment.to - segment.from);
-        points.push_back(p);
+        points.push_back({p, segment.normal});
         const auto& [from, to] = edges_[static_cast<std::size_t>(segment.edge)];
         const double t = (p - from).dot(to - from) / (to - from).squaredNorm();
-        if (const auto disc = axis_.touching(segment.edge, std::clamp(t, 0.0, 1.0)))
-            discs.push_back(*disc);
+        if (const auto disc = axis_.touching(segment.edge, std::clamp(t, 0.0, 1.0))) {
+            discs.push_back({*disc, segment.normal});
+            // The largest disc serves the other side as well; a smaller one here serves this alone.
+            if (normal_weight_ > 0)
+                discs.push_back({{p + own_share * (disc->centre - p), own_share * disc->radius},
+                                 segment.normal});
+        }
         if (share < 1e-3 && segment.from == from)
-            for (const Disc& disc : axis_.at_corner(segment.edge)) discs.push_back(disc);
+            for (const Disc& disc : axis_.at_corner(segment.edge))
+                discs.push_back({disc, Point(0, 0)});
     }
 
+    static constexpr double no_limit = 1e9;
+    static constexpr double own_share = 0.7;
     MedialAxis axis_;
     int samples_;
+    double normal_weight_;
     std::vector<std::pair<Point, Point>> edges_;
 };
 
@@ -91,15 +107,20 @@ lod::SphereTree<2> build_medial(const Polygon& polygon, const PolygonPiece& whol
                              " samples are out of range; choose 8 to 512");
     Disc root = lod::enclosing_ball<2>(whole.vertices());
     root.radius += lod::rounding_bound(root);
+    if (!(config.normal_weight >= 0 && config.normal_weight <= 100 && config.most_growth >= 1))
+        throw lod::Error(lod::ErrorKind::limit_exceeded,
+                         "cannot build the tree: the weight of the normals or the growth is out of "
+                         "range; choose a weight of 0 to 100 and a growth of 1 or more");
     lod::GrowSettings settings;
     settings.branching = config.branching;
     settings.depth = config.depth;
     settings.least_protrusion = config.least_protrusion * 2 * root.radius;
     settings.look_ahead_above = config.look_ahead_above * 2 * root.radius;
+    settings.normal_weight = config.normal_weight;
     settings.most_rounds = config.most_rounds;
     settings.progress = config.progress;
     lod::check_grow_settings(settings);
-    const MedialStarts strategy(polygon, shape, lod::rounding_bound(root), config.samples);
+    const MedialStarts strategy(polygon, shape, lod::rounding_bound(root), config);
     return lod::grow_tree<2>(whole, root, strategy, settings);
 }
 

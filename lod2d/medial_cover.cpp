@@ -12,12 +12,17 @@ using Disc = lod::Sphere<2>;
 
 class Cover {
   public:
-    Cover(std::span<const Point> points, std::span<const Disc> discs)
+    Cover(std::span<const FacingPoint> points, std::span<const FacingDisc> discs,
+          double normal_weight)
         : points_(points.size()), discs_(discs.size()), words_((points.size() + 63) / 64) {
         need_.reserve(points_ * discs_);
-        for (const Disc& disc : discs)
-            for (const Point& p : points)
-                need_.push_back(std::max(0.0, (p - disc.centre).norm() - disc.radius));
+        for (const FacingDisc& d : discs)
+            for (const FacingPoint& p : points) {
+                const double gap = (p.at - d.disc.centre).norm() - d.disc.radius;
+                const bool facing = !p.normal.isZero(0) && !d.normal.isZero(0);
+                const double turned = facing ? (1 - d.normal.dot(p.normal)) / 2 : 0;
+                need_.push_back(std::max(0.0, gap) + normal_weight * d.disc.radius * turned);
+            }
     }
 
     /// What disc d must grow by to hold point p.
@@ -75,10 +80,11 @@ class Cover {
 
 }  // namespace
 
-std::vector<Disc> least_growth_cover(std::span<const Point> points, std::span<const Disc> discs,
-                                     int count) {
+std::vector<Disc> least_growth_cover(std::span<const FacingPoint> points,
+                                     std::span<const FacingDisc> discs, int count,
+                                     double normal_weight) {
     if (points.empty() || discs.empty()) return {};
-    const Cover cover(points, discs);
+    const Cover cover(points, discs, normal_weight);
     double high = cover.enough();
     double low = 0;
     bool all = false;
@@ -97,13 +103,13 @@ std::vector<Disc> least_growth_cover(std::span<const Point> points, std::span<co
         }
     }
     std::vector<Disc> grown;
-    for (const std::size_t d : chosen) grown.push_back(discs[d]);
+    for (const std::size_t d : chosen) grown.push_back(discs[d].disc);
     for (std::size_t p = 0; p < points.size(); ++p) {
         std::size_t least = 0;
         for (std::size_t i = 0; i < chosen.size(); ++i)
             if (cover.need(chosen[i], p) < cover.need(chosen[least], p)) least = i;
         Disc& disc = grown[least];
-        disc.radius = std::max(disc.radius, (points[p] - disc.centre).norm());
+        disc.radius = std::max(disc.radius, (points[p].at - disc.centre).norm());
     }
     return grown;
 }

@@ -22,6 +22,10 @@ struct GrowSettings {
     double least_protrusion = 0;
     /// A node that stands out by more is divided with a look at the level after the next [m].
     double look_ahead_above = 0;
+    /// What a ball whose surface faces many ways costs: this times its radius times (1 - coherence)
+    /// is added to its protrusion when covers are compared. Contact normals come from the surface
+    /// that a node stands for, and a ball between two opposite sides has none. 0: fit alone counts.
+    double normal_weight = 0;
     int most_rounds = 12;      ///< of splitting and fitting again, for each start
     double least_gain = 0.01;  ///< a round that improves by a smaller share is the last
     /// Called with the share of the work done, 0 to 1, never decreasing.
@@ -92,22 +96,22 @@ class Grower {
                work_below_[as_index(levels_left - 1)]);
     }
 
-    /// From all starts, the cover whose worst ball stands out least; while the parent stands out
-    /// far, the one that looks best on the next level too.
+    /// From all starts, the cover whose worst ball costs least; while the parent stands out far,
+    /// the one that looks best on the next level too.
     Cover<Dim> best_cover(const Piece& owned, const Sphere<Dim>& ball, int levels_left) const {
         std::vector<Cover<Dim>> candidates;
         for (const auto& start : strategy_.starts(owned, ball, settings_.branching)) {
             Cover<Dim> small = improved(owned, start, Aim::small);
             candidates.push_back(improved(owned, start, Aim::close));
             candidates.push_back(improved(owned, small.balls, Aim::close));
-            small.worst = worst_protrusion(small.balls);
             candidates.push_back(std::move(small));
         }
-        const bool far = strategy_.protrusion(ball) > settings_.look_ahead_above;
+        const bool look_ahead =
+            levels_left > 1 && strategy_.protrusion(ball) > settings_.look_ahead_above;
         const Cover<Dim>* best = nullptr;
         double least = 0;
         for (const Cover<Dim>& cover : candidates) {
-            const double cost = far && levels_left > 1 ? cost_ahead(owned, cover) : cover.worst;
+            const double cost = cost_of(owned, cover, look_ahead);
             if (best != nullptr && cost >= least) continue;
             best = &cover;
             least = cost;
@@ -115,31 +119,35 @@ class Grower {
         return *best;
     }
 
-    /// The cover's worst protrusion and, counted double, that of a first attempt to divide its own
-    /// pieces further. One ball over a pocket, or from tip to tip, may stand out no more than
-    /// smaller balls would, but keeps all the shape to itself and leaves the next level where this
-    /// one was.
-    double cost_ahead(const Piece& owned, const Cover<Dim>& cover) const {
+    double cost(const Piece& owned, const Sphere<Dim>& ball) const {
+        const double protrusion = strategy_.protrusion(ball);
+        if (settings_.normal_weight == 0 || owned.surface_measure() <= 0) return protrusion;
+        const double coherence = mean_normal<Dim>(owned).norm();
+        return protrusion + settings_.normal_weight * ball.radius * (1 - coherence);
+    }
+
+    /// What the worst ball costs with the piece of its own power cell and, when looking ahead,
+    /// twice what the worst of a first attempt to divide those pieces would. One ball over a
+    /// pocket, or from tip to tip, may stand out no more than smaller balls would, but keeps all
+    /// the shape to itself and leaves the next level where this one was.
+    double cost_of(const Piece& owned, const Cover<Dim>& cover, bool look_ahead) const {
+        double worst = 0;
         double next = 0;
         for (std::size_t i = 0; i < cover.balls.size(); ++i) {
             check_interrupted();
+            const Sphere<Dim>& ball = cover.balls[i];
             const Piece part =
                 owned.within(power_cell<Dim>(std::span<const Sphere<Dim>>(cover.balls), i));
             if (part.vertices().empty()) continue;
-            const double now = strategy_.protrusion(cover.balls[i]);
-            if (now <= next) continue;
+            const double now = cost(part, ball);
+            worst = std::max(worst, now);
+            if (!look_ahead || now <= next) continue;
             double then = now;
-            for (const auto& start : strategy_.starts(part, cover.balls[i], settings_.branching))
+            for (const auto& start : strategy_.starts(part, ball, settings_.branching))
                 then = std::min(then, fitted(part, start, Aim::close).worst);
             next = std::max(next, then);
         }
-        return cover.worst + 2 * next;
-    }
-
-    double worst_protrusion(const std::vector<Sphere<Dim>>& balls) const {
-        double worst = 0;
-        for (const auto& ball : balls) worst = std::max(worst, double(strategy_.protrusion(ball)));
-        return worst;
+        return worst + 2 * next;
     }
 
     /// Splits and fits again while that pays, as Lloyd's method does. It cannot get worse: a ball
@@ -169,8 +177,7 @@ class Grower {
                 ball = strategy_.fit(part, start[i]);
             }
             cover.balls.push_back(ball);
-            const double cost = aim == Aim::small ? ball.radius : strategy_.protrusion(ball);
-            cover.worst = std::max(cover.worst, cost);
+            cover.worst = std::max(cover.worst, aim == Aim::small ? ball.radius : cost(part, ball));
         }
         return cover;
     }

@@ -2,6 +2,7 @@
 
 #include "lod2d/build_tree.hpp"
 #include "lod2d/piece.hpp"
+#include "lod2d/tree_report.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"
@@ -212,6 +213,27 @@ TEST_CASE("node normals have length 1 on a flat side and none on the whole", "[b
             CHECK(std::max(std::abs(normal.x()), std::abs(normal.y())) == Approx(1));
             CHECK(normal.dot(tree.sphere(node).centre) > 0);  // outward
         }
-        if (builder != Builder::medial) CHECK(flat > 4);  // its circles touch two sides
+        CHECK(flat > 4);
     }
+}
+
+TEST_CASE("without a weight on the normals the medial fit is closer, and circles touch two sides",
+          "[builders]") {
+    const Shape shape = generate("box");
+    TreeSettings settings;
+    const auto facing = build_tree(shape, settings);
+    settings.normal_weight = 0;
+    const auto close = build_tree(shape, settings);
+    const auto flat_leaves = [](const lod::SphereTree<2>& tree) {
+        int flat = 0;
+        for (int node = 0; node < tree.size(); ++node)
+            flat += tree.is_leaf(node) && tree.mean_normal(node).norm() > 0.99;
+        return flat;
+    };
+    CHECK(flat_leaves(facing) > 50);
+    CHECK(flat_leaves(close) < flat_leaves(facing) / 2);
+    CHECK(report_tree(shape, close).levels.back().worst_protrusion <
+          report_tree(shape, facing).levels.back().worst_protrusion);
+    settings.normal_weight = -1;
+    CHECK_THROWS_AS(build_tree(shape, settings), lod::Error);
 }

@@ -71,8 +71,9 @@ TEST_CASE("edges that cross on the grid do not break the diagram", "[medial]") {
 
 TEST_CASE("the cover of least growth is the best choice of discs", "[medial]") {
     // Points at 0, 1, 10, 11; candidates of radius 0.25 at 0.5, 5.5 and 10.5.
-    const std::vector<Point> points{{0, 0}, {1, 0}, {10, 0}, {11, 0}};
-    const std::vector<Disc> discs{{{5.5, 0}, 0.25}, {{0.5, 0}, 0.25}, {{10.5, 0}, 0.25}};
+    const std::vector<FacingPoint> points{{{0, 0}}, {{1, 0}}, {{10, 0}}, {{11, 0}}};
+    const std::vector<FacingDisc> discs{
+        {{{5.5, 0}, 0.25}}, {{{0.5, 0}, 0.25}}, {{{10.5, 0}, 0.25}}};
     const auto two = least_growth_cover(points, discs, 2);
     REQUIRE(two.size() == 2);
     for (const Disc& disc : two) CHECK(disc.radius == Approx(0.5));
