@@ -132,7 +132,8 @@ Figure contacts_by_level(const Actor& a, const Actor& b, const std::vector<lod::
     for (const int level : levels) {
         const lod::Front& front = fronts[static_cast<std::size_t>(level)];
         figure.panels.push_back(level_panel(a, b, front, model, view));
-        if (figure.panels.size() == 1) add_names(figure.panels[0].marks, a, b);
+        if (figure.panels.size() == 1)
+            add_names(figure.panels[0].marks, a, b, level == 0 ? Beside::roots : Beside::outlines);
         figure.alt += " " + figure.panels.back().title + ".";
         most = std::max(most, contacts_of(a.body, b.body, front, model).size());
     }

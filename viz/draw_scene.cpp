@@ -112,7 +112,18 @@ std::string shown_name(const std::vector<Look>& looks, std::size_t number) {
     return name + (name.empty() ? "" : " ") + static_cast<char>('A' + number);
 }
 
-void add_names(Marks& marks, const Actor& a, const Actor& b) {
+void add_names(Marks& marks, const Actor& a, const Actor& b, Beside beside) {
+    if (beside == Beside::roots) {
+        for (const int number : {0, 1}) {
+            const lod::Sphere<2> root = carried_node((number == 0 ? a : b).body, 0);
+            marks.push_back(
+                Label{{.role = Role::body, .body = number},
+                      point_of(root.centre),
+                      literal_text(shown_name({a.look, b.look}, static_cast<std::size_t>(number))),
+                      root.radius});
+        }
+        return;
+    }
     add_name(marks, a, shown_name({a.look, b.look}, 0), 0, point_of(b.body.position));
     add_name(marks, b, shown_name({a.look, b.look}, 1), 1, point_of(a.body.position));
 }

@@ -47,8 +47,10 @@ void add_velocity(Marks& marks, const lod::Body<2>& body, int number, double met
 void add_name(Marks& marks, const Actor& actor, const std::string& name, int number,
               Point away_from);
 
-/// The names of two bodies, each on the side away from the other.
-void add_names(Marks& marks, const Actor& a, const Actor& b);
+/// The names of two bodies, each on the side away from the other; beside the root nodes where those
+/// are drawn.
+enum class Beside { outlines, roots };
+void add_names(Marks& marks, const Actor& a, const Actor& b, Beside beside = Beside::outlines);
 
 /// The body that a pair's nodes belong to, by number.
 [[nodiscard]] Actor actor_of(const Run& run, std::size_t instant, int number);

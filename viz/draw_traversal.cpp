@@ -122,7 +122,7 @@ Figure traversal(const Actor& a, const Actor& b, const std::vector<lod::Front>& 
     figure.alt = alt_text(a, b, fronts, levels);
     const Box view = view_of(a, b, fronts, levels);
     for (const int level : levels) figure.panels.push_back(level_panel(a, b, fronts, level, view));
-    add_names(figure.panels[0].marks, a, b);
+    add_names(figure.panels[0].marks, a, b, levels[0] == 0 ? Beside::roots : Beside::outlines);
     return figure;
 }
 
@@ -145,7 +145,7 @@ Figure traversal_level(const Actor& a, const Actor& b, const std::vector<lod::Fr
     for (std::size_t i = 0; i < fronts.size(); ++i) every.push_back(static_cast<int>(i));
     figure.panels.push_back(level_panel(a, b, fronts, level, view_of(a, b, fronts, every)));
     figure.panels.back().title.clear();
-    add_names(figure.panels.back().marks, a, b);
+    add_names(figure.panels.back().marks, a, b, level == 0 ? Beside::roots : Beside::outlines);
     return figure;
 }
 

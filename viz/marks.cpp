@@ -131,6 +131,7 @@ void Painter::paint_disc_line(const Canvas::Circle& disc, Pen pen, double opacit
                        disc.centre.y + disc.radius * std::sin(angle)});
     }
     add_outline(rim, true, pen.width >= 2 ? 0.8 : 0.3);
+    if (pen.fill > 0 && !among_many) obstacles_.areas.push_back(rim);
 }
 
 void Painter::paint(const Dot& dot) {
