@@ -15,6 +15,16 @@
 #include "viz/canvas.hpp"
 #include "viz/document.hpp"
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+/// Fontconfig keeps fonts for the next time, behind pointers that a leak checker cannot follow.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" const char* __lsan_default_suppressions() {
+    return "leak:libfontconfig\n";
+}
+#endif
+#endif
+
 namespace viz {
 namespace {
 

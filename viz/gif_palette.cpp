@@ -136,6 +136,15 @@ std::size_t GifPalette::nearest_entry(std::uint32_t colour) const {
     return nearest;
 }
 
+void GifPalette::map(const Image& image, std::uint8_t* out, int stride) {
+    const std::uint8_t* row = image.pixels.data();
+    for (int y = 0; y < image.height; ++y, row += image.stride, out += stride) {
+        const std::uint8_t* pixel = row;
+        for (int x = 0; x < image.width; ++x, pixel += 4)
+            out[x] = index(pixel[0], pixel[1], pixel[2]);
+    }
+}
+
 std::uint8_t GifPalette::index(std::uint8_t blue, std::uint8_t green, std::uint8_t red) {
     std::int16_t& known = nearest_[bin_of(blue, green, red)];
     if (known < 0)

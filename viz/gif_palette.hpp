@@ -30,10 +30,11 @@ class GifPalette {
     /// Blue, green, red, opaque: as a little-endian 0xAARRGGBB.
     [[nodiscard]] const std::array<std::uint32_t, 256>& entries() const { return entries_; }
 
-    /// The index of the entry nearest to a pixel.
-    [[nodiscard]] std::uint8_t index(std::uint8_t blue, std::uint8_t green, std::uint8_t red);
+    /// Writes for every pixel the index of the nearest entry, `stride` bytes from row to row.
+    void map(const Image& image, std::uint8_t* out, int stride);
 
   private:
+    [[nodiscard]] std::uint8_t index(std::uint8_t blue, std::uint8_t green, std::uint8_t red);
     static constexpr int bits = 6;  ///< of each channel that the histogram tells apart
     struct Bin {
         std::uint64_t count = 0;

@@ -71,6 +71,8 @@ class VideoFile {
     VideoFile(const std::filesystem::path& path, const std::string& ending, const Encoder& encoder,
               int width, int height, double frames_per_second, const std::string& title);
 
+    ~VideoFile();
+    VideoFile(const VideoFile&) = delete;
     void add(const Image& image, std::int64_t number, int frames);
     /// Ends the file, reads it again and counts the frames.
     void finish(std::int64_t frames);
@@ -95,6 +97,8 @@ class VideoFile {
     std::filesystem::path path_;
     lod::OutputFile file_;
     std::exception_ptr failure_;  ///< thrown by the file within the library's call
+    bool ended_ = false;
+    bool discards_ = false;  ///< what is still written goes nowhere
     std::size_t position_ = 0;
     double frames_per_second_;
     Owned<AVIOContext> stream_;
@@ -104,9 +108,8 @@ class VideoFile {
     Owned<SwsContext> scaler_;
     Owned<AVFrame> frame_;
     Owned<AVPacket> packet_;
-    std::int64_t last_delay_ = 1;  ///< of a GIF's last frame [1/100 s]
-    std::int64_t sent_ = 0;
-    std::int64_t muxed_ = 0;
+    std::int64_t last_delay_ = 1;        ///< of a GIF's last frame [1/100 s]
+    std::int64_t sent_ = 0, muxed_ = 0;  ///< frames
 };
 
 VideoFile::VideoFile(const std::filesystem::path& path, const std::string& ending,
@@ -122,6 +125,13 @@ VideoFile::VideoFile(const std::filesystem::path& path, const std::string& endin
     open_stream(title);
 }
 
+/// A GIF that was not ended frees its last packet nowhere but in its trailer.
+VideoFile::~VideoFile() {
+    if (ended_ || !is_gif()) return;
+    discards_ = true;
+    av_write_trailer(format_.get());
+}
+
 void VideoFile::check(int code, const char* doing) const {
     if (code >= 0) return;
     if (failure_) std::rethrow_exception(failure_);
@@ -134,6 +144,7 @@ void VideoFile::check(int code, const char* doing) const {
 
 int VideoFile::write(void* self, std::uint8_t* data, int size) {
     auto& video = *static_cast<VideoFile*>(self);
+    if (video.discards_) return size;
     try {
         video.file_.seek(video.position_);
         video.file_.write(data, static_cast<std::size_t>(size));
@@ -149,9 +160,8 @@ std::int64_t VideoFile::seek(void* self, std::int64_t offset, int whence) {
     auto& video = *static_cast<VideoFile*>(self);
     const auto size = static_cast<std::int64_t>(video.file_.size());
     if (whence == AVSEEK_SIZE) return size;
-    const std::int64_t from = whence == SEEK_CUR   ? static_cast<std::int64_t>(video.position_)
-                              : whence == SEEK_END ? size
-                                                   : 0;
+    const auto here = static_cast<std::int64_t>(video.position_);
+    const std::int64_t from = whence == SEEK_CUR ? here : whence == SEEK_END ? size : 0;
     if (from + offset < 0) return AVERROR(EINVAL);
     video.position_ = static_cast<std::size_t>(from + offset);
     return from + offset;
@@ -272,13 +282,7 @@ void VideoFile::fill(const Image& image) {
     }
     std::copy(palette.entries().begin(), palette.entries().end(),
               reinterpret_cast<std::uint32_t*>(frame_->data[1]));
-    for (int y = 0; y < image.height; ++y) {
-        const std::uint8_t* pixel =
-            image.pixels.data() + static_cast<std::ptrdiff_t>(y) * image.stride;
-        std::uint8_t* out = frame_->data[0] + static_cast<std::ptrdiff_t>(y) * frame_->linesize[0];
-        for (int x = 0; x < image.width; ++x, pixel += 4)
-            out[x] = palette.index(pixel[0], pixel[1], pixel[2]);
-    }
+    palette.map(image, frame_->data[0], frame_->linesize[0]);
 }
 
 /// A GIF shows one frame for a while; the other formats take it again and again.
@@ -311,9 +315,8 @@ void VideoFile::encode(const AVFrame* frame) {
 }
 
 void VideoFile::mux(AVPacket* packet) {
-    const AVStream* stream = format_->streams[0];
     if (!is_gif()) packet->duration = 1;
-    av_packet_rescale_ts(packet, codec_->time_base, stream->time_base);
+    av_packet_rescale_ts(packet, codec_->time_base, format_->streams[0]->time_base);
     packet->stream_index = 0;
     ++muxed_;
     check(av_write_frame(format_.get(), packet), "writing a frame");
@@ -338,6 +341,7 @@ std::int64_t VideoFile::frames_in_file() const {
 void VideoFile::finish(std::int64_t frames) {
     encode(nullptr);
     if (is_gif()) av_opt_set_int(format_->priv_data, "final_delay", last_delay_, 0);
+    ended_ = true;
     check(av_write_trailer(format_.get()), "ending the file");
     avio_flush(stream_.get());
     check(stream_->error, "ending the file");
@@ -371,11 +375,10 @@ void write_video(const std::filesystem::path& path, const Animation& animation,
                  const WriteOptions& options) {
     av_log_set_level(AV_LOG_QUIET);
     const Encoder encoder = encoder_or_refuse(path, options);
-    const bool gif = encoder.codec->id == AV_CODEC_ID_GIF;
     Film film(animation, options);
     VideoFile file(path, ending_of(path), encoder, film.first().width, film.first().height,
                    film.frames_per_second(), plain_text(animation.title));
-    if (gif) {
+    if (encoder.codec->id == AV_CODEC_ID_GIF) {
         film.sample([&](const Image& image) { file.palette.sample(image); });
         file.palette.choose();
     }
@@ -384,8 +387,8 @@ void write_video(const std::filesystem::path& path, const Animation& animation,
 }
 
 std::string video_encoder(const std::string& ending) {
-    const Encoder encoder = encoder_for("." + ending);
-    return encoder.codec ? encoder.codec->name : "";
+    const AVCodec* codec = encoder_for("." + ending).codec;
+    return codec ? codec->name : "";
 }
 
 std::string video_libraries() {
