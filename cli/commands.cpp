@@ -15,6 +15,15 @@ constexpr Command table[] = {
      "lodlab simulate figure9 --level 2 --out strip.png --out run.mp4 --json",
      "SCENE --level --budget --milliseconds --duration --response --point-model --strip --plot "
      "--out --trace --replay --raise-limits --theme --quality --json", run_simulate},
+    {"figure", "A figure of the paper, from running code: 1, 2, 3, 4 or 9",
+     "lodlab figure 9 --out figure-9.png --out figure-9.mp4",
+     "FIGURE --out --theme --quality", run_figure},
+    {"lesson", "List the lessons, or step through one, forwards and backwards",
+     "lodlab lesson 3 --out pictures", "[LESSON] --pictures --theme", run_lesson},
+    {"book", "Write the lessons as web pages that need no network",
+     "lodlab book --out book", "--folder --no-video --quality", run_book},
+    {"doctor", "What is installed, what is missing, and how to get it",
+     "lodlab doctor", "--json", run_doctor},
     {"completion", "Print what completes lodlab's commands and options in bash",
      "lodlab completion > ~/.local/share/bash-completion/completions/lodlab", "", run_completion},
 };

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "cli/output.hpp"
 #include "core/error.hpp"
 #include "scenes/scene.hpp"
 #include "scenes/spelling.hpp"
@@ -26,8 +27,17 @@ CLI::Validator one_of(std::vector<std::string_view> words) {
         all);
 }
 
+/// CLI11's own range lets "nan" pass.
 CLI::Validator range(double low, double high) {
-    return CLI::Range(low, high).description("");
+    return CLI::Validator(
+        [low, high](std::string& word) -> std::string {
+            double number = 0;
+            const bool understood = CLI::detail::lexical_cast(word, number);
+            if (understood && number >= low && number <= high) return {};
+            return "must be a number between " + readable(low) + " and " + readable(high) +
+                   ", not " + word;
+        },
+        "");
 }
 
 /// A row of the table of options.

@@ -6,19 +6,16 @@
 #include "core/output_file.hpp"
 
 namespace cli {
-namespace {
-
-viz::WriteOptions write_options(const Options& options) {
-    viz::WriteOptions write;
-    if (options.theme == "dark") write.theme = viz::Theme::dark;
-    if (options.quality == "draft") write.quality = viz::Quality::draft;
-    if (options.quality == "1080p") write.quality = viz::Quality::p1080;
-    if (options.quality == "4k") write.quality = viz::Quality::p4k;
-    write.warn = [](const std::string& line) { remark(line); };
-    return write;
+viz::Theme theme_of(const Options& options) {
+    return options.theme == "dark" ? viz::Theme::dark : viz::Theme::light;
 }
 
-}  // namespace
+viz::Quality quality_of(const Options& options) {
+    if (options.quality == "draft") return viz::Quality::draft;
+    if (options.quality == "1080p") return viz::Quality::p1080;
+    if (options.quality == "4k") return viz::Quality::p4k;
+    return viz::Quality::p720;
+}
 
 viz::Look look_of(const lod2d::Shape& shape, const std::string& name) {
     viz::Look look{name, {}};
@@ -63,10 +60,14 @@ void check_outputs(const Options& options, bool has_video) {
                                  "; give it one of these endings");
         const lod::OutputFile probe(path);  // throws; leaves nothing
     }
+    if (!options.trace.empty()) const lod::OutputFile probe(options.trace);
 }
 
 void write_outputs(const Options& options, const Drawing& drawing) {
-    viz::WriteOptions write = write_options(options);
+    viz::WriteOptions write;
+    write.theme = theme_of(options);
+    write.quality = quality_of(options);
+    write.warn = [](const std::string& line) { remark(line); };
     for (const std::string& path : options.out) {
         lod::check_interrupted();
         if (viz::is_video_path(path)) {

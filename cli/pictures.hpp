@@ -22,6 +22,9 @@ namespace cli {
 [[nodiscard]] viz::Run seen(const scenes::Setup& setup, const scenes::Run<2>& run,
                             const std::string& name);
 
+[[nodiscard]] viz::Theme theme_of(const Options& options);
+[[nodiscard]] viz::Quality quality_of(const Options& options);
+
 /// What a command draws: only what an --out asks for is made.
 struct Drawing {
     std::function<viz::Figure()> figure;        ///< nothing: the command has no still picture

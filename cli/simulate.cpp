@@ -2,6 +2,7 @@
 
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "cli/run_pictures.hpp"
 #include "cli/staging.hpp"
 #include "core/error.hpp"
 #include "scenes/trace.hpp"
@@ -71,11 +72,13 @@ void check_replay(const Options& options) {
 
 void run_simulate(const Options& options) {
     check_replay(options);
+    check_outputs(options, true);
     const scenes::Setup setup = stage(options);
     const scenes::Run<2> run =
         options.replay.empty() ? play(setup, options, "Simulating") : play_again(setup, options);
     if (!options.trace.empty())
         scenes::write_trace<2>(options.trace, setup.scene.name, setup.bodies, run);
+    write_outputs(options, drawing_of(setup, run, options));
     const scenes::Summary summary = scenes::summarise(run);
     if (options.json)
         print(result_of(run, summary));

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/options.hpp"
+#include "core/traversal.hpp"
+#include "scenes/setup.hpp"
+
+namespace cli {
+
+/// One instant of a scene, and all that detection finds there.
+struct Instant {
+    double time = 0;  ///< [s]
+    std::vector<lod::Body<2>> bodies;
+    lod::FrameRecord<2> record;
+};
+
+/// The instant that the options name by --at. Without it, the first frame in which leaves meet;
+/// where they never do, the one with the most node tests: there the bodies come nearest.
+/// The bodies move under the finest detection; the scene's level limits what is looked at.
+[[nodiscard]] Instant instant_of(const scenes::Setup& setup, const Options& options);
+
+/// The fronts of a pair, level by level down to the one that the record finished.
+[[nodiscard]] std::vector<lod::Front> levels_of(const Instant& instant,
+                                                const lod::PairRecord& pair);
+
+}  // namespace cli

@@ -1,0 +1,126 @@
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/catch.hpp"
+#include "tests/cli/program.hpp"
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json result(const std::vector<std::string>& arguments) {
+    const Outcome outcome = lodlab(arguments);
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    return Json::parse(outcome.out);
+}
+
+/// Every key of a result as the documentation writes it: "levels[].nodes". Arrays of numbers are
+/// values.
+void collect(const Json& json, const std::string& path, std::set<std::string>& keys) {
+    if (json.is_object()) {
+        for (const auto& [key, value] : json.items())
+            collect(value, path.empty() ? key : path + "." + key, keys);
+    } else if (json.is_array() && !json.empty() && json.front().is_object()) {
+        for (const Json& one : json) collect(one, path + "[]", keys);
+    } else {
+        keys.insert(path);
+    }
+}
+
+std::set<std::string> documented(const std::string& command) {
+    std::ifstream page(LODLAB_SOURCE_DIR "/cli/README.md");
+    std::set<std::string> keys;
+    bool inside = false;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("## ")) inside = line == "## JSON: `" + command + "`";
+        if (inside && line.starts_with("| `")) keys.insert(line.substr(3, line.find('`', 3) - 3));
+    }
+    return keys;
+}
+
+void check_keys(const std::string& command, const Json& json) {
+    std::set<std::string> keys;
+    collect(json, "", keys);
+    CHECK(keys == documented(command));
+}
+
+}  // namespace
+
+TEST_CASE("the results have exactly the documented keys") {
+    check_keys("tree", result({"tree", "L", "--depth", "2", "--json"}));
+    check_keys("collide", result({"collide", "offset_boxes", "--level", "2", "--json"}));
+    check_keys("simulate", result({"simulate", "offset_boxes", "--json"}));
+    check_keys("doctor", result({"doctor", "--json"}));
+}
+
+TEST_CASE("a tree's report tells the exact shape and a certified fit") {
+    const Json json = result({"tree", "box:2,1", "--depth", "3", "--json"});
+    CHECK(json["dim"] == 2);
+    CHECK(json["shape"]["measure"] == Approx(2));
+    CHECK(json["shape"]["inertia"] == Approx(2 * (4.0 + 1) / 12));
+    REQUIRE(json["levels"].size() == 4);
+    CHECK(json["levels"][0]["nodes"] == 1);
+    for (const Json& level : json["levels"]) CHECK(level["certified"] == true);
+}
+
+TEST_CASE("the offset boxes give the impulse, energy and momentum of the exact case") {
+    // METHOD, exact case 6: kinetic energy 2 J before and after.
+    const Json json = result({"simulate", "offset_boxes", "--json"});
+    CHECK(json["frames"] == 360);
+    CHECK(json["energy"]["start"] == Approx(2));
+    CHECK(json["energy"]["end"] == Approx(2));
+    CHECK(json["momentum"]["end"][0] == Approx(2));
+    CHECK(json["interrupted_frames"] == 0);
+    CHECK(json["contacts"] > 0);
+}
+
+TEST_CASE("the same run gives the same bits; another budget gives others") {
+    const Json first = result({"simulate", "offset_boxes", "--json"});
+    const Json second = result({"simulate", "offset_boxes", "--json"});
+    const Json budgeted = result({"simulate", "offset_boxes", "--budget", "20", "--json"});
+    CHECK(first["state_hash"] == second["state_hash"]);
+    CHECK(first["state_hash"] != budgeted["state_hash"]);
+    CHECK(budgeted["interrupted_frames"] > 0);
+    CHECK(budgeted["level_reached"]["max"] < first["level_reached"]["max"]);
+}
+
+TEST_CASE("a trace written on the clock is replayed to the same bits") {
+    const Scratch scratch;
+    const std::string trace = scratch / "trace.json";
+    const Json timed = result({"simulate", "gears_in_a_box", "--duration", "0.5", "--milliseconds",
+                               "0.01", "--trace", trace, "--json"});
+    const Json again = result({"simulate", "gears_in_a_box", "--replay", trace, "--json"});
+    CHECK(timed["state_hash"] == again["state_hash"]);
+    CHECK(timed["tests"] == again["tests"]);
+    CHECK(timed["interrupted_frames"] == again["interrupted_frames"]);
+    CHECK(timed["interrupted_frames"] > 0);
+    const Outcome other = lodlab({"simulate", "offset_boxes", "--replay", trace});
+    CHECK(other.code == 3);
+    CHECK(is_one_line(other.err));
+}
+
+TEST_CASE("a near miss is a collision at a coarse level and none at the leaves") {
+    const Json coarse = result({"collide", "near_miss", "--level", "1", "--json"});
+    CHECK(coarse["pairs"][0]["verdict"] == "possible");
+    CHECK_FALSE(coarse["pairs"][0]["contacts"].empty());
+    const Json fine = result({"collide", "near_miss", "--json"});
+    CHECK(fine["pairs"][0]["verdict"] == "apart");
+    CHECK(fine["pairs"][0]["contacts"].empty());
+    CHECK(result({"simulate", "near_miss", "--json"})["contacts"] == 0);
+}
+
+TEST_CASE("the reports for readers name what matters") {
+    const auto text = [](const std::vector<std::string>& arguments) {
+        const Outcome outcome = lodlab(arguments);
+        CHECK(outcome.code == 0);
+        return outcome.out;
+    };
+    CHECK(text({"tree", "L", "--depth", "1"}).find("yes, proved") != std::string::npos);
+    CHECK(text({"tree", "--list"}).find("gear:") != std::string::npos);
+    CHECK(text({"collide", "offset_boxes"}).find("a true collision") != std::string::npos);
+    CHECK(text({"simulate", "offset_boxes"}).find("state hash") != std::string::npos);
+    CHECK(text({"lesson"}).find("lodlab lesson 1") != std::string::npos);
+    CHECK(text({"doctor"}).find("mp4 encoder") != std::string::npos);
+}

@@ -1,0 +1,77 @@
+#include "tests/catch.hpp"
+#include "tests/cli/program.hpp"
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+void check_misuse(const std::vector<std::string>& arguments, const std::string& part) {
+    const Outcome outcome = lodlab(arguments);
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(is_one_line(outcome.err));
+    CHECK(contains(outcome.err, part));
+}
+
+}  // namespace
+
+TEST_CASE("the help lists every command with an example of its own") {
+    const Outcome help = lodlab({"--help"});
+    CHECK(help.code == 0);
+    CHECK(help.err.empty());
+    for (const std::string command :
+         {"tree", "collide", "simulate", "figure", "lesson", "book", "doctor", "completion"}) {
+        CHECK(contains(help.out, "\n  " + command + " "));
+        const Outcome one = lodlab({command, "--help"});
+        CHECK(one.code == 0);
+        CHECK(contains(one.out, "Example: lodlab " + command));
+    }
+}
+
+TEST_CASE("the version is printed") {
+    const Outcome version = lodlab({"--version"});
+    CHECK(version.code == 0);
+    CHECK(version.out.starts_with("lodlab "));
+}
+
+TEST_CASE("a command line that is not understood ends in one line and code 2") {
+    check_misuse({}, "no command given");
+    check_misuse({"simulat", "offset_boxes"}, "did you mean simulate?");
+    check_misuse({"simulate"}, "SCENE is required");
+    check_misuse({"simulate", "offset_boxes", "--levl", "3"}, "did you mean --level?");
+    check_misuse({"simulate", "offset_boxes", "--level", "three"}, "--level");
+    check_misuse({"simulate", "offset_boxes", "--level", "-1"}, "--level");
+    check_misuse({"simulate", "offset_boxes", "--milliseconds", "nan"}, "--milliseconds");
+    check_misuse({"simulate", "offset_boxes", "--duration", "inf"}, "--duration");
+    check_misuse({"simulate", "offset_boxes", "--response", "nett"}, "did you mean net?");
+    check_misuse({"simulate", "offset_boxes", "--theme", "drak"}, "did you mean dark?");
+    check_misuse({"simulate", "offset_boxes", "--level", "1", "--budget", "9"},
+                 "exclude each other");
+    check_misuse({"simulate", "offset_boxes", "--replay", "t.json", "--level", "1"},
+                 "from the trace");
+    check_misuse({"tree"}, "no shape given");
+    check_misuse({"tree", "gear:9", "--depth", "99"}, "--depth");
+    check_misuse({"tree", "gear:9", "--branching", "1"}, "--branching");
+    check_misuse({"tree", "gear:9", "--size", "0"}, "--size");
+}
+
+TEST_CASE("an ending that no format has is refused before any work") {
+    check_misuse({"simulate", "offset_boxes", "--out", "a.doc"}, "a.doc");
+    check_misuse({"tree", "gear:9", "--out", "a.mp4"}, "a.mp4");
+    check_misuse({"figure", "1", "--out", "noending"}, "noending");
+}
+
+TEST_CASE("a figure that does not exist names those that do") {
+    check_misuse({"figure", "5", "--out", "a.png"}, "1, 2, 3, 4 and 9");
+    check_misuse({"figure", "77", "--out", "a.png"}, "1, 2, 3, 4 and 9");
+}
+
+TEST_CASE("the completion names every command and its options") {
+    const Outcome script = lodlab({"completion"});
+    CHECK(script.code == 0);
+    for (const char* part : {"simulate)", "--milliseconds", "doctor)", "complete -o filenames"})
+        CHECK(contains(script.out, part));
+}
