@@ -72,19 +72,45 @@ struct Level {
         found_count = n;
     }
 
+    /// Asks the budget for so many tests. Returns false when it ended.
+    bool pay(int wanted) {
+        const auto granted = budget.grant(static_cast<std::uint64_t>(wanted), more_contacts());
+        tests += granted;
+        return granted == static_cast<std::uint64_t>(wanted);
+    }
+
+    /// A node's ball, grown by all that rounding may have moved it and its partner.
+    Sphere<Dim> grown(const PosedTree<Dim>& world, int node) const {
+        Sphere<Dim> ball;
+        for (int axis = 0; axis < Dim; ++axis) ball.centre[axis] = world.centres(axis)[node];
+        ball.radius = world.radii()[node] + slack;
+        return ball;
+    }
+
     /// Tests one node of A against nodes [first, first + count) of B; with `swapped`, one node of B
     /// against nodes of A. Returns false when the budget ended.
     template <bool swapped>
     bool test(int node, int first, int count) {
         const PosedTree<Dim>& many = swapped ? a : b;
-        Sphere<Dim> ball = (swapped ? b : a).sphere(node);
-        ball.radius += slack;
+        const Sphere<Dim> ball = grown(swapped ? b : a, node);
         for (int done = 0; done < count; done += most_at_once) {
             const int wanted = std::min(most_at_once, count - done);
-            const auto granted = budget.grant(static_cast<std::uint64_t>(wanted), more_contacts());
-            tests += granted;
-            if (granted < static_cast<std::uint64_t>(wanted)) return false;
+            if (!pay(wanted)) return false;
             test_block<swapped>(ball, node, many, first + done, wanted);
+        }
+        return true;
+    }
+
+    /// Tests all children of one node against all children of another. A small family is paid at
+    /// once. Returns false when the budget ended.
+    bool test_families(int first_a, int count_a, int first_b, int count_b) {
+        const bool at_once = count_b <= most_at_once && count_a <= most_at_once / count_b;
+        if (at_once && !pay(count_a * count_b)) return false;
+        for (int child = first_a; child < first_a + count_a; ++child) {
+            if (at_once)
+                test_block<false>(grown(a, child), child, b, first_b, count_b);
+            else if (!test<false>(child, first_b, count_b))
+                return false;
         }
         return true;
     }
@@ -103,9 +129,7 @@ struct Level {
         if (child_count_b > 0) b.carry_children(pair.b);
         if (child_count_b == 0) return test<true>(pair.b, first_a, child_count_a);
         if (child_count_a == 0) return test<false>(pair.a, first_b, child_count_b);
-        for (int child = first_a; child < first_a + child_count_a; ++child)
-            if (!test<false>(child, first_b, child_count_b)) return false;
-        return true;
+        return test_families(first_a, child_count_a, first_b, child_count_b);
     }
 
     /// All of the level, or false where the budget ended before it was done.
