@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
         std::puts("");
     }
     std::puts(
-        "Limits: the quadtree, clipping squares; the other two, the search for the circle of\n"
-        "each piece that stands out least, which asks for the outline's distance again and again.");
+        "Limits, by a profile: the quadtree, clipping squares; the other two, for about half of\n"
+        "their time, the nearest point of the outline, asked for again and again by the fit of\n"
+        "each circle; medial also the choice of circles that cover a piece.");
 }
