@@ -56,7 +56,8 @@ Drawing contacts_of_a_face(const Options& options) {
     drawing.figure = [setup, instant] {
         viz::Figure figure = viz::contacts_by_level(
             actor_of(setup, instant.bodies, 0), actor_of(setup, instant.bodies, 1),
-            lod::traverse_levels(instant.bodies[0], instant.bodies[1]));
+            lod::traverse_levels(instant.bodies[0], instant.bodies[1]), setup.scene.point_model,
+            {3, 4, 5, 6});
         figure.columns = 2;
         return figure;
     };

@@ -33,7 +33,7 @@ struct Options {
     std::optional<double> duration;  ///< [s]
     std::string response;
     std::string point_model;
-    bool plot = false;  ///< of simulate: still pictures are plots instead of strips
+    std::string picture;  ///< of simulate: "strip", "plot"; empty: what suits the scene
     std::string trace;
     std::string replay;
     double raise_limits = 1;

@@ -1,5 +1,6 @@
 #include "cli/run_pictures.hpp"
 
+#include <algorithm>
 #include <memory>
 
 #include "cli/output.hpp"
@@ -45,7 +46,16 @@ Course course_of(const scenes::Setup& setup, const scenes::Run<2>& run) {
     return course;
 }
 
-viz::Figure plot_of(const scenes::Setup& setup, const scenes::Run<2>& run) {
+/// All of a curve that is never below zero, with zero.
+viz::Box from_zero(const viz::Curve& curve) {
+    double highest = 0;
+    for (const viz::Point& point : curve.points) highest = std::max(highest, point.y);
+    const double margin = 1.1;
+    return {{0, 0}, {curve.points.back().x, highest > 0 ? margin * highest : 1}};
+}
+
+viz::Figure plot_of(const scenes::Setup& setup, const scenes::Run<2>& run,
+                    const std::string& name) {
     const Course course = course_of(setup, run);
     viz::Axes energy;
     energy.x.label = "time [s]";
@@ -56,44 +66,76 @@ viz::Figure plot_of(const scenes::Setup& setup, const scenes::Run<2>& run) {
     figure.title = title_of(setup.scene);
     figure.numbers = {{"energy before", readable(run.energy_start, 4) + " J"},
                       {"after", readable(run.energy_end, 4) + " J"}};
-    figure.caption = limit_of(setup.scene.limits) +
-                     ". Between moving bodies momentum is kept; walls that do not move change it.";
-    figure.alt = "Two plots over " + readable(setup.scene.duration) +
+    figure.caption =
+        name + ". Between moving bodies momentum is kept; walls that do not move change it.";
+    figure.alt = "Two plots over " + readable(course.energy.points.back().x) +
                  " seconds: kinetic energy goes from " + readable(run.energy_start, 4) + " to " +
                  readable(run.energy_end, 4) + " joules; momentum from (" +
                  readable(run.momentum_start.x(), 4) + ", " + readable(run.momentum_start.y(), 4) +
                  ") to (" + readable(run.momentum_end.x(), 4) + ", " +
                  readable(run.momentum_end.y(), 4) + ") kilogram metres a second.";
     figure.panels = {
-        viz::plot_panel("Kinetic energy", energy, {course.energy}),
+        viz::plot_panel("Kinetic energy", energy, {course.energy}, from_zero(course.energy)),
         viz::plot_panel("Momentum of all that moves", momentum, {course.along_x, course.along_y})};
     figure.scale_bar = false;
     return figure;
 }
 
+viz::SimulationMotion motion_of(const scenes::Scene& scene) {
+    viz::SimulationMotion choice;
+    choice.title = title_of(scene);
+    return choice;
+}
+
+/// Two bodies: the strip of their collision. More: where all of them end.
+viz::Figure still_of(const scenes::Setup& setup, const viz::Run& run, const std::string& picture) {
+    if (picture != "strip" && setup.bodies.size() > 2)
+        return viz::simulation_picture(run, run.instants.back().time, motion_of(setup.scene));
+    viz::StripWords words;
+    words.title = title_of(setup.scene);
+    return viz::strips({run}, words);
+}
+
+/// The film of two bodies dwells on their collision; more bodies are filmed as they move.
+viz::Animation film_of(const scenes::Setup& setup, const viz::Run& run) {
+    if (setup.bodies.size() > 2 || viz::first_impact(run) < 0)
+        return viz::simulation_motion(run, motion_of(setup.scene));
+    viz::ImpactMotion choice;
+    choice.title = title_of(setup.scene);
+    return viz::impact_motion({run}, choice);
+}
+
+/// The figure with its scenes seen by the scene's camera, where it has one.
+viz::Figure framed(viz::Figure figure, const scenes::Scene& scene) {
+    if (!scene.camera) return figure;
+    const auto& [centre, width] = *scene.camera;
+    const double height = width * 9 / 16;
+    for (viz::Panel& panel : figure.panels)
+        if (!panel.axes)
+            panel.view = {{centre[0] - width / 2, centre[1] - height / 2},
+                          {centre[0] + width / 2, centre[1] + height / 2}};
+    return figure;
+}
+
+viz::Animation framed(viz::Animation animation, const scenes::Scene& scene) {
+    if (!scene.camera) return animation;
+    for (viz::Shot& shot : animation.shots)
+        shot.draw = [draw = std::move(shot.draw), scene] { return framed(draw(), scene); };
+    return animation;
+}
+
 }  // namespace
 
 Drawing drawing_of(const scenes::Setup& setup, const scenes::Run<2>& run, const Options& options) {
-    const auto shown =
-        std::make_shared<const viz::Run>(seen(setup, run, limit_of(setup.scene.limits)));
+    const std::string name =
+        options.replay.empty() ? limit_of(setup.scene.limits) : "Played again from a trace";
+    const auto shown = std::make_shared<const viz::Run>(seen(setup, run, name));
     Drawing drawing;
     drawing.figure = [&setup, &run, &options, shown] {
-        if (options.plot) return plot_of(setup, run);
-        viz::StripWords words;
-        words.title = title_of(setup.scene);
-        return viz::strips({*shown}, words);
+        if (options.picture == "plot") return plot_of(setup, run, shown->name);
+        return framed(still_of(setup, *shown, options.picture), setup.scene);
     };
-    drawing.animation = [&setup, shown] {
-        const bool one_collision = setup.bodies.size() == 2 && viz::first_impact(*shown) >= 0;
-        if (one_collision) {
-            viz::ImpactMotion choice;
-            choice.title = title_of(setup.scene);
-            return viz::impact_motion({*shown}, choice);
-        }
-        viz::SimulationMotion choice;
-        choice.title = title_of(setup.scene);
-        return viz::simulation_motion(*shown, choice);
-    };
+    drawing.animation = [&setup, shown] { return framed(film_of(setup, *shown), setup.scene); };
     return drawing;
 }
 
