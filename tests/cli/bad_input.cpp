@@ -42,7 +42,7 @@ void fill_the_disk() {
 /// Rights do not bind the administrator, so the program starts without that privilege.
 void give_up_privilege() {
     if (::getuid() != 0) return;
-    for (const unsigned long privilege : {CAP_DAC_OVERRIDE, CAP_DAC_READ_SEARCH})
+    for (const unsigned long privilege : {1UL * CAP_DAC_OVERRIDE, 1UL * CAP_DAC_READ_SEARCH})
         if (::prctl(PR_CAPBSET_DROP, privilege, 0, 0, 0) != 0) ::_exit(no_privilege_to_give);
 }
 
