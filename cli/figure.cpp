@@ -1,4 +1,5 @@
 #include <array>
+#include <memory>
 
 #include "cli/command.hpp"
 #include "cli/instant.hpp"
@@ -6,6 +7,7 @@
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
 #include "core/error.hpp"
+#include "lod2d/build_tree.hpp"
 #include "viz/draw_contacts.hpp"
 #include "viz/draw_motion.hpp"
 #include "viz/draw_strip.hpp"
@@ -50,14 +52,17 @@ Drawing traversal_to_apart(const Options& options) {
 
 /// Figure 3: a face meets a face, as ever more contacts of circles.
 Drawing contacts_of_a_face(const Options& options) {
-    const scenes::Setup setup = stage_named("box_falls_flat", options);
-    const Instant instant = instant_of(setup, options);
+    scenes::Setup setup = stage_named("box_falls_flat", options);
+    setup.bodies[0].position = {0, 0.5};                   // the faces just touch
+    for (std::size_t i = 0; i < setup.bodies.size(); ++i)  // circles evenly along a face
+        setup.bodies[i].tree = std::make_shared<lod::SphereTree<2>>(
+            lod2d::build_tree(*setup.shapes[i], scenes::tree_settings("pieces", {}, {})));
     Drawing drawing;
-    drawing.figure = [setup, instant] {
+    drawing.figure = [setup] {
         viz::Figure figure = viz::contacts_by_level(
-            actor_of(setup, instant.bodies, 0), actor_of(setup, instant.bodies, 1),
-            lod::traverse_levels(instant.bodies[0], instant.bodies[1]), setup.scene.point_model,
-            {3, 4, 5, 6});
+            actor_of(setup, setup.bodies, 0), actor_of(setup, setup.bodies, 1),
+            lod::traverse_levels(setup.bodies[0], setup.bodies[1]), lod::PointModel::radius_ratio,
+            {0, 1, 2, 3});
         figure.columns = 2;
         return figure;
     };

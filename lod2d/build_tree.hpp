@@ -25,7 +25,7 @@ struct TreeSettings {
     /// is not divided further. 0 to 1.
     double least_protrusion = 1e-7;
     /// Medial only: how much a circle costs whose border faces many ways, 0 to 100. The mean
-    /// normals of nodes decide the response (METHOD.md, the contact model), and circles of the
+    /// normals of nodes decide the response (the contact model), and circles of the
     /// medial axis touch two sides. At depth 5, worst protrusion in % of the diameter, and
     /// coherence over the border:
     ///     box 0.001, 0.71 with 0; 0.158, 1.00 with 0.1    (quadtree 0.458, 0.98)

@@ -18,8 +18,8 @@ struct BorderSegment {
     std::int32_t edge = 0;  ///< of the polygon, counted over its rings in order
 };
 
-/// The part of a shape that a node of its circle tree owns (METHOD.md, pieces and the power
-/// diagram): convex polygons, and the shape's border among them. Body frame, metres.
+/// The part of a shape that a node of its circle tree owns (core/builder/grow.hpp): convex polygons,
+/// and the shape's border among them. Body frame, metres.
 class PolygonPiece {
   public:
     PolygonPiece() = default;

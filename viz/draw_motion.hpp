@@ -12,7 +12,7 @@ struct ImpactMotion {
     std::string caption = "Slow near the impact; paused while its marks appear.";
 };
 
-/// One collision as a video, the runs side by side (LOOK: "Motion"): quick at first, slow at the
+/// One collision as a video, the runs side by side: quick at first, slow at the
 /// impact, a pause at the instant of detection with its marks drawn one after the other, then what
 /// follows, and back to the start. Runs share one clock and one scale.
 /// Throws lod::Error (input refused) where a run has no instants.

@@ -17,7 +17,7 @@ struct Point {
 
 using Ring = std::vector<Point>;  ///< closed: the last point joins the first
 
-/// What a mark stands for. A palette turns a role into ink, line and fill (LOOK: "ink by role").
+/// What a mark stands for. A palette turns a role into ink, line and fill (palette.hpp).
 enum class Role {
     body,            ///< outline of a body, faintly filled, in the body's ink
     wall,            ///< a body that no impulse moves

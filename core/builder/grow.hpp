@@ -231,8 +231,7 @@ class Grower {
 }  // namespace detail
 
 /// Grows a tree from the top: each node's piece is divided among its children by the power diagram
-/// of their balls (METHOD.md, "Coverage, exactly"), from several starts, each improved by Lloyd's
-/// rounds; the division whose worst ball stands out of the shape least is kept. Deterministic.
+/// of their balls, from several starts, each improved by Lloyd's rounds; the division whose worst ball stands out of the shape least is kept. Deterministic.
 /// Requires that `root` holds the whole with rounding_bound(root) to spare, and settings in range
 /// (otherwise throws Error, limit exceeded). The trees pass `certify`.
 template <int Dim, PieceOf<Dim> Piece, GrowStrategy<Dim, Piece> Strategy>

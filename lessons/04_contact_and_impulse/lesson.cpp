@@ -146,7 +146,7 @@ void step_point(Lesson& lesson, const Scene& scene) {
          {{"d", lesson.numbers["d"]}, {"c from o_a", lesson.numbers["c from o_a"]}}});
 }
 
-/// The example of METHOD: radii 2 and 1, centres 2 apart.
+/// The example: radii 2 and 1, centres 2 apart.
 void step_two_points(Lesson& lesson) {
     // listing: two points
     const Sphere<2> a{Vec(0, 0), 2};

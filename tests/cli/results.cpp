@@ -66,7 +66,7 @@ TEST_CASE("a tree's report tells the exact shape and a certified fit") {
 }
 
 TEST_CASE("the offset boxes give the impulse, energy and momentum of the exact case") {
-    // METHOD, exact case 6: kinetic energy 2 J before and after.
+    // Two offset unit boxes closing at 2 m/s: kinetic energy 2 J before and after.
     const Json json = result({"simulate", "offset_boxes", "--json"});
     CHECK(json["frames"] == 360);
     CHECK(json["energy"]["start"] == Approx(2));

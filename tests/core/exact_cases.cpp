@@ -1,4 +1,4 @@
-// The cases that METHOD.md and elementary mechanics answer in closed form. Every number is worked
+// The cases that elementary mechanics answer in closed form. Every number is worked
 // out by hand from the masses; space repeats the plane with the inertia about z.
 
 #include <cmath>

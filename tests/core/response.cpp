@@ -201,7 +201,7 @@ TEMPLATE_TEST_CASE_SIG("a box that falls flat shows what sum, mean and net make 
         double sum, mean;
     };
     Random random(50);
-    // METHOD.md, "Many contacts for one collision", to the digits printed there.
+    // A 2 x 1 box falling flat at speed 1, e = 1, to three digits.
     for (const Row& row : {Row{2, 0.031, 0.170},
                            {3, 4.74, 0.0035},
                            {4, 11.1, 0.0070},

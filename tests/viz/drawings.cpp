@@ -27,7 +27,7 @@ int marks_of(const Panel& panel, Role role) {
     return count;
 }
 
-/// Two discs of one node each, meeting head-on: METHOD's exact case 1 (m 1, v 2 meets m 3, v -1).
+/// Two discs of one node each, meeting head-on (m 1, v 2 meets m 3, v -1).
 Run head_on(int frames) {
     const auto disc = [](double mass, double x, double speed) {
         lod::Body<2> body;
@@ -105,7 +105,7 @@ TEST_CASE("a traversal of bodies that are apart says so", "[drawings]") {
     CHECK(discs_of(figure.panels.back(), Role::meeting_node) == 0);
 }
 
-TEST_CASE("the construction of a contact states both points of METHOD's example", "[drawings]") {
+TEST_CASE("the construction of a contact states both points", "[drawings]") {
     // R = 2 and 1 at distance 2: 1.3333 by the radii, 1.75 on the plane.
     const Figure figure = contact_construction({{0, 0}, 2}, {{2, 0}, 1});
     CHECK(figure.numbers[1].value == "1.33\u00A0m");
