@@ -62,7 +62,7 @@ Figure tree_levels(const Actor& actor, std::vector<int> levels) {
     figure.numbers = {{"levels", std::to_string(actor.body.tree->levels())},
                       {"circles in all", number_text(actor.body.tree->size(), 9)}};
     figure.caption =
-        "The circles of every level together cover the whole shape; deeper levels stand out less.";
+        "The circles of every level together cover the whole shape.";
     figure.alt = alt_text(actor, levels);
     const Box view = view_of(actor, levels);
     for (const int level : levels) figure.panels.push_back(level_panel(actor, level, view));
