@@ -1,5 +1,6 @@
 // Counts allocations by replacing operator new, so it stands in an executable of its own.
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -35,6 +36,15 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
 }
 void* operator new[](std::size_t size, std::align_val_t alignment) {
     return counted(size, alignment);
+}
+// The library's own versions without exceptions would not go with the operator delete below.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    ++allocations;
+    return std::malloc(std::max<std::size_t>(size, 1));
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+    ++allocations;
+    return std::malloc(std::max<std::size_t>(size, 1));
 }
 void operator delete(void* memory) noexcept {
     std::free(memory);

@@ -155,7 +155,7 @@ TEMPLATE_TEST_CASE_SIG("a frame that ran on a clock is repeated from its record"
     const auto start = heap<Dim>(85);
     int interrupted = 0;
     for (const auto contact_cost : {0ns, 40ns}) {
-        for (auto quota = 0ns; quota < 6000ns; quota += 37ns) {
+        for (auto quota = 0ns; quota < 6000ns; quota += 19ns) {
             FakeClock clock;
             clock.step = 13ns;
             auto first = start;
