@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import urllib.error
 import urllib.request
 
 SKIPPED = 77
@@ -75,8 +76,11 @@ class Browser:
         request = urllib.request.Request(
             self.address + path, method=method, headers={"Content-Type": "application/json"},
             data=None if body is None else json.dumps(body).encode())
-        with DIRECT.open(request, timeout=60) as answer:
-            return json.load(answer)["value"]
+        try:
+            with DIRECT.open(request, timeout=60) as answer:
+                return json.load(answer)["value"]
+        except urllib.error.HTTPError as refusal:
+            raise RuntimeError(json.load(refusal)["value"]["message"]) from None
 
     def open(self, path, fragment=""):
         self.call(self.session + "/url", {"url": "about:blank"})
