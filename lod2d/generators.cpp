@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/error.hpp"
+#include "core/random.hpp"
 #include "core/trigonometry.hpp"
 
 namespace lod2d {
@@ -205,29 +206,11 @@ Polygon make_spiral(Values v) {
     return {{outer}};
 }
 
-/// splitmix64 (Steele, Lea and Flood 2014): the same numbers from every library.
-class Random {
-  public:
-    explicit Random(std::uint64_t seed) : state_(seed) {}
-    /// In [0, 1).
-    double next() {
-        state_ += 0x9e3779b97f4a7c15u;
-        std::uint64_t z = state_;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        z ^= z >> 31;
-        return static_cast<double>(z >> 11) * 0x1p-53;
-    }
-
-  private:
-    std::uint64_t state_;
-};
-
 /// A circle whose radius carries waves of 2 to 7 periods; the smallest radius stays positive.
 Polygon make_blob(Values v) {
     constexpr int waves = 6;
     constexpr int sides = 128;
-    Random random(static_cast<std::uint64_t>(v[0]));
+    lod::Random random(static_cast<std::uint64_t>(v[0]));
     double height[waves];
     double phase[waves];
     double sum = 0;

@@ -2,29 +2,15 @@
 
 #include <span>
 #include <string_view>
-#include <vector>
 
+#include "core/generator.hpp"
 #include "lod2d/shape.hpp"
 
 namespace lod2d {
 
-/// One number that a generator takes, in the order of the spec.
-struct GeneratorParameter {
-    std::string_view name;
-    std::string_view meaning;  ///< with its unit
-    double standard;           ///< taken where the spec leaves it out
-    double least;
-    double most;
-    bool whole = false;  ///< must be a whole number
-};
-
+using lod::GeneratorParameter;
 /// A shape made from a name and a few numbers.
-struct Generator {
-    std::string_view name;
-    std::string_view description;  ///< one line
-    std::vector<GeneratorParameter> parameters;
-    Polygon (*make)(std::span<const double> values);
-};
+using Generator = lod::Generator<Polygon>;
 
 /// Every generator, in the order in which a reader should meet them.
 [[nodiscard]] std::span<const Generator> generators();
