@@ -2,11 +2,9 @@
 
 #include <cmath>
 
-#include "core/builder/certify.hpp"
 #include "lod2d/disc_union.hpp"
 #include "lod2d/distance.hpp"
 #include "lod2d/piece.hpp"
-#include "lod2d/protrusion.hpp"
 
 namespace lod2d {
 namespace {
@@ -40,28 +38,12 @@ TreeReport report_tree(const Shape& shape, const lod::SphereTree<2>& tree,
                        const ReportSettings& settings) {
     const BoundaryIndex index(shape.polygon);
     const PolygonPiece whole(shape.polygon);
-    const auto certificates = lod::certify<2>(tree, whole);
-    TreeReport report;
-    report.bounding_diameter = 2 * lod::enclosing_ball<2>(whole.vertices()).radius;
-    report.tolerance = settings.tolerance * report.bounding_diameter;
-    for (int level = 0; level < tree.levels(); ++level) {
-        lod::check_interrupted();
-        std::vector<Disc> discs;
-        for (const int node : tree.level_nodes(level)) discs.push_back(tree.sphere(node));
-        const std::vector<Arc> arcs = exposed_arcs(discs);
-        LevelReport entry;
-        entry.level = level;
-        entry.nodes = static_cast<int>(discs.size());
-        entry.worst_protrusion = find_protrusion(index, discs, report.tolerance).most;
-        entry.mean_protrusion = mean_distance(index, discs, arcs, settings.samples);
-        entry.worst_protrusion_fraction = entry.worst_protrusion / report.bounding_diameter;
-        entry.mean_protrusion_fraction = entry.mean_protrusion / report.bounding_diameter;
-        entry.measure_ratio = union_area(discs, arcs) / shape.area;
-        entry.uncovered = certificates[static_cast<std::size_t>(level)].uncovered;
-        entry.certified = certificates[static_cast<std::size_t>(level)].certified;
-        report.levels.push_back(entry);
-    }
-    return report;
+    return lod::report_levels<2>(
+        tree, whole, index, shape.area, settings.tolerance, [&](std::span<const Disc> discs) {
+            const std::vector<Arc> arcs = exposed_arcs(discs);
+            return lod::UnionMeasures{mean_distance(index, discs, arcs, settings.samples),
+                                      union_area(discs, arcs)};
+        });
 }
 
 }  // namespace lod2d
