@@ -1,0 +1,222 @@
+#include "lod3d/distance.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <tuple>
+
+namespace lod3d {
+namespace {
+
+/// What of a triangle a nearest point lies on; the order of MeshDistance::Normals.
+enum Feature : std::size_t { face, side_ab, side_bc, side_ca, corner_a, corner_b, corner_c };
+
+struct OnTriangle {
+    Point point;
+    Feature feature;
+};
+
+/// The nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+OnTriangle nearest_on(const TriangleTree::Corners& t, const Point& p) {
+    const Point ab = t.b - t.a;
+    const Point ac = t.c - t.a;
+    const Point ap = p - t.a;
+    const double d1 = ab.dot(ap);
+    const double d2 = ac.dot(ap);
+    if (d1 <= 0 && d2 <= 0) return {t.a, corner_a};
+    const Point bp = p - t.b;
+    const double d3 = ab.dot(bp);
+    const double d4 = ac.dot(bp);
+    if (d3 >= 0 && d4 <= d3) return {t.b, corner_b};
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {t.a + d1 / (d1 - d3) * ab, side_ab};
+    const Point cp = p - t.c;
+    const double d5 = ab.dot(cp);
+    const double d6 = ac.dot(cp);
+    if (d6 >= 0 && d5 <= d6) return {t.c, corner_c};
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {t.a + d2 / (d2 - d6) * ac, side_ca};
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6) {
+        const double share = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {t.b + share * (t.c - t.b), side_bc};
+    }
+    const double scale = 1 / (va + vb + vc);
+    return {t.a + (vb * scale) * ab + (vc * scale) * ac, face};
+}
+
+double angle_between(const Point& u, const Point& v) {
+    return std::atan2(u.cross(v).norm(), u.dot(v));
+}
+
+/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983).
+double solid_angle(const Point& a, const Point& b, const Point& c) {
+    const double la = a.norm();
+    const double lb = b.norm();
+    const double lc = c.norm();
+    return 2 * std::atan2(a.dot(b.cross(c)),
+                          la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+}
+
+/// For side k of triangle t, at 3 t + k: the sum of the unit normals of the triangles at that edge.
+std::vector<Point> normals_of_sides(const Mesh& mesh, const std::vector<Point>& unit) {
+    struct Side {
+        std::int32_t low;
+        std::int32_t high;
+        std::size_t number;
+    };
+    std::vector<Side> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            sides.push_back(
+                {std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), sides.size()});
+    std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
+        return std::tie(s.low, s.high, s.number) < std::tie(t.low, t.high, t.number);
+    });
+    std::vector<Point> sums(sides.size());
+    for (auto first = sides.begin(); first != sides.end();) {
+        auto last = first;
+        Point sum = Point::Zero();
+        for (; last != sides.end() && last->low == first->low && last->high == first->high; ++last)
+            sum += unit[last->number / 3];
+        for (; first != last; ++first) sums[first->number] = sum;
+    }
+    return sums;
+}
+
+}  // namespace
+
+MeshDistance::MeshDistance(const Mesh& mesh, InsideRule rule) : tree_(mesh), rule_(rule) {
+    if (rule_ == InsideRule::nearest_normal) find_normals(mesh);
+    find_dipoles();
+}
+
+void MeshDistance::find_normals(const Mesh& mesh) {
+    std::vector<Point> unit(mesh.triangles.size());
+    std::vector<Point> at_vertex(mesh.vertices.size(), Point::Zero());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Point a = mesh.corner(t, 0);
+        unit[t] = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).stableNormalized();
+        for (int k = 0; k < 3; ++k) {
+            const Point& here = mesh.corner(t, k);
+            const Point to_next = mesh.corner(t, (k + 1) % 3) - here;
+            const Point to_last = mesh.corner(t, (k + 2) % 3) - here;
+            const auto vertex =
+                static_cast<std::size_t>(mesh.triangles[t][static_cast<std::size_t>(k)]);
+            at_vertex[vertex] += angle_between(to_next, to_last) * unit[t];
+        }
+    }
+    const std::vector<Point> of_side = normals_of_sides(mesh, unit);
+    normals_.resize(mesh.triangles.size());
+    for (std::size_t i = 0; i < normals_.size(); ++i) {
+        const auto t = static_cast<std::size_t>(tree_.triangle(static_cast<std::int32_t>(i)));
+        normals_[i].of[face] = unit[t];
+        for (std::size_t k = 0; k < 3; ++k) {
+            normals_[i].of[side_ab + k] = of_side[3 * t + k];
+            normals_[i].of[corner_a + k] =
+                at_vertex[static_cast<std::size_t>(mesh.triangles[t][k])];
+        }
+    }
+}
+
+void MeshDistance::find_dipoles() {
+    dipoles_.resize(static_cast<std::size_t>(tree_.node_count()));
+    for (std::int32_t i = tree_.node_count() - 1; i >= 0; --i) {  // children come after parents
+        const TriangleTree::Node& node = tree_.node(i);
+        Dipole& dipole = dipoles_[static_cast<std::size_t>(i)];
+        const auto add = [&](const Point& centre, const Point& area_normal, double area) {
+            dipole.centre += area * centre;
+            dipole.area_normal += area_normal;
+            dipole.area += area;
+        };
+        for (std::int32_t t = node.first; t < node.first + node.count; ++t) {
+            const TriangleTree::Corners& at = tree_.corners(t);
+            const Point area_normal = 0.5 * (at.b - at.a).cross(at.c - at.a);
+            add((at.a + at.b + at.c) / 3, area_normal, area_normal.norm());
+        }
+        if (!node.is_leaf())
+            for (std::int32_t child : {i + 1, node.first}) {
+                const Dipole& part = dipoles_[static_cast<std::size_t>(child)];
+                add(part.centre, part.area_normal, part.area);
+            }
+        dipole.centre = dipole.area > 0 ? Point(dipole.centre / dipole.area)
+                                        : Point(0.5 * (node.low + node.high));
+        dipole.radius = (node.high - dipole.centre).cwiseMax(dipole.centre - node.low).norm();
+    }
+}
+
+Nearest MeshDistance::nearest(const Point& p, double within) const {
+    struct Waiting {
+        std::int32_t node;
+        double squared;
+    };
+    std::array<Waiting, TriangleTree::deepest> stack;
+    std::size_t waiting = 0;
+    double least = within * within;
+    Nearest result;
+    std::int32_t found = -1;
+    Feature feature = face;
+    stack[waiting++] = {0, squared_distance(tree_.node(0), p)};
+    while (waiting > 0) {
+        const Waiting next = stack[--waiting];
+        if (next.squared >= least) continue;
+        const TriangleTree::Node& node = tree_.node(next.node);
+        for (std::int32_t t = node.first; t < node.first + node.count; ++t) {
+            const OnTriangle at = nearest_on(tree_.corners(t), p);
+            const double squared = (p - at.point).squaredNorm();
+            if (squared >= least) continue;
+            least = squared;
+            result.point = at.point;
+            found = t;
+            feature = at.feature;
+        }
+        if (node.is_leaf()) continue;
+        Waiting near{next.node + 1, squared_distance(tree_.node(next.node + 1), p)};
+        Waiting far{node.first, squared_distance(tree_.node(node.first), p)};
+        if (far.squared < near.squared) std::swap(near, far);
+        if (far.squared < least) stack[waiting++] = far;
+        if (near.squared < least) stack[waiting++] = near;
+    }
+    if (found < 0) return result;
+    result.distance = std::sqrt(least);
+    result.triangle = tree_.triangle(found);
+    if (!normals_.empty()) result.normal = normals_[static_cast<std::size_t>(found)].of[feature];
+    return result;
+}
+
+double MeshDistance::signed_distance(const Point& p) const {
+    const Nearest at = nearest(p);
+    return is_inside(p, at) ? -at.distance : at.distance;
+}
+
+double MeshDistance::winding_number(const Point& p) const {
+    constexpr double far_enough = 2.3;  // times the radius of the group
+    std::array<std::int32_t, TriangleTree::deepest> stack;
+    std::size_t waiting = 0;
+    double angle = 0;
+    stack[waiting++] = 0;
+    while (waiting > 0) {
+        const std::int32_t i = stack[--waiting];
+        const TriangleTree::Node& node = tree_.node(i);
+        const Dipole& dipole = dipoles_[static_cast<std::size_t>(i)];
+        const Point arm = dipole.centre - p;
+        const double squared = arm.squaredNorm();
+        if (squared > far_enough * far_enough * dipole.radius * dipole.radius) {
+            angle += arm.dot(dipole.area_normal) / (squared * std::sqrt(squared));
+            continue;
+        }
+        for (std::int32_t t = node.first; t < node.first + node.count; ++t) {
+            const TriangleTree::Corners& at = tree_.corners(t);
+            angle += solid_angle(at.a - p, at.b - p, at.c - p);
+        }
+        if (node.is_leaf()) continue;
+        stack[waiting++] = node.first;
+        stack[waiting++] = i + 1;
+    }
+    return angle / (4 * std::numbers::pi);
+}
+
+}  // namespace lod3d

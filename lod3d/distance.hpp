@@ -1,0 +1,79 @@
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "lod3d/triangle_tree.hpp"
+
+namespace lod3d {
+
+/// The point of a surface nearest to another point.
+struct Nearest {
+    Point point = Point::Zero();
+    double distance =
+        std::numeric_limits<double>::infinity();  ///< [m]; infinite: none within reach
+    std::int32_t triangle = -1;                   ///< the mesh's number
+    /// Outward, angle-weighted over the triangles that meet at the point (not of unit length): a
+    /// point is outside exactly if it lies on its side (Baerentzen and Aanaes 2005).
+    Point normal = Point::Zero();
+};
+
+/// How a point is told to be inside.
+enum class InsideRule {
+    nearest_normal,  ///< by the side of the nearest surface: quick; for parts that do not overlap
+    winding,         ///< by a winding number above 1/2: for overlapping parts and open surfaces
+};
+
+/// Distances from a mesh. Several threads may ask one at once.
+class MeshDistance {
+  public:
+    /// Requires: numbers checked; for nearest_normal a closed, oriented mesh.
+    explicit MeshDistance(const Mesh& mesh, InsideRule rule = InsideRule::nearest_normal);
+
+    /// The nearest point of the surface, if one lies closer than `within` [m].
+    [[nodiscard]] Nearest nearest(const Point& p,
+                                  double within = std::numeric_limits<double>::infinity()) const;
+
+    [[nodiscard]] bool inside(const Point& p) const { return is_inside(p, nearest(p)); }
+    /// The same, where the nearest point is known.
+    [[nodiscard]] bool is_inside(const Point& p, const Nearest& at) const {
+        return rule_ == InsideRule::winding ? winding_number(p) > 0.5
+                                            : (p - at.point).dot(at.normal) < 0;
+    }
+
+    /// Distance from the surface, negative inside [m].
+    [[nodiscard]] double signed_distance(const Point& p) const;
+
+    /// Distance from the solid, 0 inside [m].
+    [[nodiscard]] double distance(const Point& p) const {
+        return std::max(signed_distance(p), 0.0);
+    }
+
+    /// How often the surface winds around a point: a whole number off a closed surface. Far groups
+    /// of triangles count as dipoles (Barill et al. 2018), which errs by less than 0.1.
+    [[nodiscard]] double winding_number(const Point& p) const;
+
+    [[nodiscard]] const TriangleTree& tree() const { return tree_; }
+
+  private:
+    struct Dipole {
+        Point centre = Point::Zero();       ///< weighted by area
+        Point area_normal = Point::Zero();  ///< sum over the triangles
+        double radius = 0;                  ///< of the ball at centre that holds them all
+        double area = 0;
+    };
+    /// Pseudonormals of one triangle: face; sides ab, bc, ca; corners a, b, c.
+    struct Normals {
+        std::array<Point, 7> of;
+    };
+
+    void find_normals(const Mesh& mesh);
+    void find_dipoles();
+
+    TriangleTree tree_;
+    InsideRule rule_;
+    std::vector<Normals> normals_;  ///< in the order of the leaves; empty for the winding rule
+    std::vector<Dipole> dipoles_;   ///< of each node
+};
+
+}  // namespace lod3d

@@ -1,0 +1,208 @@
+#include "lod3d/intersect.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace lod3d {
+namespace {
+
+using Corners = TriangleTree::Corners;
+
+double orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
+    return (b - a).cross(c - a).dot(d - a);
+}
+
+double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+bool same_side(double s, double t) {
+    return (s > 0 && t > 0) || (s < 0 && t < 0);
+}
+
+bool segments_meet(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& a,
+                   const Eigen::Vector2d& b) {
+    if ((p.cwiseMax(q).array() < a.cwiseMin(b).array()).any() ||
+        (a.cwiseMax(b).array() < p.cwiseMin(q).array()).any())
+        return false;
+    return !same_side(turn(p, q, a), turn(p, q, b)) && !same_side(turn(a, b, p), turn(a, b, q));
+}
+
+bool holds(const std::array<Eigen::Vector2d, 3>& t, const Eigen::Vector2d& p) {
+    const double u = turn(t[0], t[1], p);
+    const double v = turn(t[1], t[2], p);
+    const double w = turn(t[2], t[0], p);
+    return (u >= 0 && v >= 0 && w >= 0 && u + v + w > 0) ||
+           (u <= 0 && v <= 0 && w <= 0 && u + v + w < 0);
+}
+
+/// Two triangles in one plane, seen along the axis of the plane's normal that is longest.
+bool coplanar_intersect(const Corners& s, const Corners& t, const Point& normal) {
+    Eigen::Index drop = 0;
+    normal.cwiseAbs().maxCoeff(&drop);
+    const auto flat = [&](const Corners& c) {
+        const auto seen = [&](const Point& p) {
+            return Eigen::Vector2d(p[(drop + 1) % 3], p[(drop + 2) % 3]);
+        };
+        return std::array{seen(c.a), seen(c.b), seen(c.c)};
+    };
+    const auto u = flat(s);
+    const auto v = flat(t);
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            if (segments_meet(u[i], u[(i + 1) % 3], v[j], v[(j + 1) % 3])) return true;
+    return holds(u, v[0]) || holds(v, u[0]);
+}
+
+/// Whether the segment pq meets the triangle. Requires: p and q not both in its plane.
+bool segment_pierces(const Point& p, const Point& q, const Corners& t) {
+    const double u = orientation(p, q, t.a, t.b);
+    const double v = orientation(p, q, t.b, t.c);
+    const double w = orientation(p, q, t.c, t.a);
+    return (u >= 0 && v >= 0 && w >= 0) || (u <= 0 && v <= 0 && w <= 0);
+}
+
+/// Sides of the corners of `of` against the plane of `plane`.
+std::array<double, 3> sides(const Corners& plane, const Corners& of) {
+    return {orientation(plane.a, plane.b, plane.c, of.a),
+            orientation(plane.a, plane.b, plane.c, of.b),
+            orientation(plane.a, plane.b, plane.c, of.c)};
+}
+
+bool all_one_side(const std::array<double, 3>& side) {
+    return (side[0] > 0 && side[1] > 0 && side[2] > 0) ||
+           (side[0] < 0 && side[1] < 0 && side[2] < 0);
+}
+
+/// Whether a side of s that crosses the plane of t meets t.
+bool side_pierces(const Corners& s, const std::array<double, 3>& side, const Corners& t) {
+    const std::array<const Point*, 3> corner{&s.a, &s.b, &s.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t j = (i + 1) % 3;
+        if (same_side(side[i], side[j]) || (side[i] == 0 && side[j] == 0)) continue;
+        if (segment_pierces(*corner[i], *corner[j], t)) return true;
+    }
+    return false;
+}
+
+bool boxes_apart(const Corners& s, const Corners& t) {
+    const Point low_s = s.a.cwiseMin(s.b).cwiseMin(s.c);
+    const Point high_s = s.a.cwiseMax(s.b).cwiseMax(s.c);
+    const Point low_t = t.a.cwiseMin(t.b).cwiseMin(t.c);
+    const Point high_t = t.a.cwiseMax(t.b).cwiseMax(t.c);
+    return (low_s.array() > high_t.array()).any() || (low_t.array() > high_s.array()).any();
+}
+
+}  // namespace
+
+bool triangles_intersect(const Corners& s, const Corners& t) {
+    if (boxes_apart(s, t)) return false;
+    const std::array<double, 3> of_t = sides(s, t);
+    if (all_one_side(of_t)) return false;
+    const std::array<double, 3> of_s = sides(t, s);
+    if (all_one_side(of_s)) return false;
+    const auto flat = [](const std::array<double, 3>& side) {
+        return side[0] == 0 && side[1] == 0 && side[2] == 0;
+    };
+    if (flat(of_s) && flat(of_t)) {
+        Point normal = (s.b - s.a).cross(s.c - s.a);
+        if (normal.isZero(0)) normal = (t.b - t.a).cross(t.c - t.a);
+        return coplanar_intersect(s, t, normal);
+    }
+    return side_pierces(s, of_s, t) || side_pierces(t, of_t, s);
+}
+
+namespace {
+
+/// b's frame seen from a's.
+Pose relative(const Pose& a, const Pose& b) {
+    return {a.rotation.transpose() * b.rotation,
+            a.rotation.transpose() * (b.position - a.position)};
+}
+
+/// Boxes of two nodes in their own frames, the second posed in the first's: the axes of both
+/// boxes as separating axes (the nine cross products are left out; that errs towards overlap).
+class BoxTest {
+  public:
+    explicit BoxTest(const Pose& b_in_a)
+        : pose_(b_in_a), size_(b_in_a.rotation.cwiseAbs() + Eigen::Matrix3d::Constant(1e-12)) {}
+
+    [[nodiscard]] bool apart(const TriangleTree::Node& a, const TriangleTree::Node& b) const {
+        const Point half_a = 0.5 * (a.high - a.low);
+        const Point half_b = 0.5 * (b.high - b.low);
+        const Point between = pose_.carry(0.5 * (b.low + b.high)) - 0.5 * (a.low + a.high);
+        if ((between.cwiseAbs().array() > (half_a + size_ * half_b).array()).any()) return true;
+        const Point in_b = pose_.rotation.transpose() * between;
+        return (in_b.cwiseAbs().array() > (half_b + size_.transpose() * half_a).array()).any();
+    }
+
+  private:
+    Pose pose_;
+    Eigen::Matrix3d size_;
+};
+
+double size_of(const TriangleTree::Node& node) {
+    return (node.high - node.low).squaredNorm();
+}
+
+bool leaves_intersect(const TriangleTree& a, const TriangleTree::Node& m, const TriangleTree& b,
+                      const TriangleTree::Node& n, const Pose& b_in_a) {
+    for (std::int32_t j = n.first; j < n.first + n.count; ++j) {
+        const Corners& t = b.corners(j);
+        const Corners carried{b_in_a.carry(t.a), b_in_a.carry(t.b), b_in_a.carry(t.c)};
+        for (std::int32_t i = m.first; i < m.first + m.count; ++i)
+            if (triangles_intersect(a.corners(i), carried)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+bool surfaces_intersect(const TriangleTree& a, const Pose& pose_a, const TriangleTree& b,
+                        const Pose& pose_b) {
+    const Pose b_in_a = relative(pose_a, pose_b);
+    const BoxTest test(b_in_a);
+    std::vector<std::array<std::int32_t, 2>> waiting{{0, 0}};
+    while (!waiting.empty()) {
+        const auto [i, j] = waiting.back();
+        waiting.pop_back();
+        const TriangleTree::Node& m = a.node(i);
+        const TriangleTree::Node& n = b.node(j);
+        if (test.apart(m, n)) continue;
+        if (m.is_leaf() && n.is_leaf()) {
+            if (leaves_intersect(a, m, b, n, b_in_a)) return true;
+        } else if (n.is_leaf() || (!m.is_leaf() && size_of(m) >= size_of(n))) {
+            waiting.push_back({m.first, j});
+            waiting.push_back({i + 1, j});
+        } else {
+            waiting.push_back({i, n.first});
+            waiting.push_back({i, j + 1});
+        }
+    }
+    return false;
+}
+
+bool parts_intersect(const Mesh& mesh, const Parts& parts) {
+    // Each part's triangles in a tree of their own, so that a part never meets itself.
+    std::vector<std::vector<Triangle>> of_part(static_cast<std::size_t>(parts.count));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        of_part[static_cast<std::size_t>(parts.of_triangle[t])].push_back(mesh.triangles[t]);
+    Mesh part{mesh.vertices, {}};
+    std::vector<TriangleTree> trees;
+    for (auto& triangles : of_part) {
+        part.triangles = std::move(triangles);
+        trees.emplace_back(part);
+    }
+    std::sort(trees.begin(), trees.end(), [](const TriangleTree& a, const TriangleTree& b) {
+        return a.node(0).low.x() < b.node(0).low.x();
+    });
+    for (std::size_t i = 0; i < trees.size(); ++i)
+        for (std::size_t j = i + 1; j < trees.size(); ++j) {
+            if (trees[j].node(0).low.x() > trees[i].node(0).high.x()) break;
+            if (surfaces_intersect(trees[i], {}, trees[j], {})) return true;
+        }
+    return false;
+}
+
+}  // namespace lod3d

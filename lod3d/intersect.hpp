@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "lod3d/triangle_tree.hpp"
+
+namespace lod3d {
+
+/// Whether two triangles share a point; touching counts. Degenerate triangles count as the segment
+/// or point that they are. Signs are taken in double precision: within rounding of touching,
+/// either answer may come.
+[[nodiscard]] bool triangles_intersect(const TriangleTree::Corners& s,
+                                       const TriangleTree::Corners& t);
+
+/// A pose: body frame to world frame.
+struct Pose {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Point position = Point::Zero();
+    [[nodiscard]] Point carry(const Point& p) const { return rotation * p + position; }
+};
+
+/// Whether the surfaces of two posed meshes share a point. One that lies wholly within the other
+/// does not: ask MeshDistance::inside for that.
+[[nodiscard]] bool surfaces_intersect(const TriangleTree& a, const Pose& pose_a,
+                                      const TriangleTree& b, const Pose& pose_b);
+
+/// Whether triangles of different parts of one mesh intersect, save in vertices or edges that they
+/// share by number.
+[[nodiscard]] bool parts_intersect(const Mesh& mesh, const Parts& parts);
+
+}  // namespace lod3d

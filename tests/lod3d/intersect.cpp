@@ -1,0 +1,112 @@
+// Intersection of triangles and of posed meshes, against FCL.
+#include "lod3d/intersect.hpp"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/narrowphase/collision.h>
+
+#include "lod3d/generators.hpp"
+#include "tests/lod3d/random_pose.hpp"
+#include "tests/catch.hpp"
+
+using namespace lod3d;
+
+namespace {
+
+using Model = fcl::BVHModel<fcl::OBBRSSd>;
+
+std::shared_ptr<Model> fcl_model(const Mesh& mesh) {
+    std::vector<fcl::Triangle> triangles;
+    for (const Triangle& t : mesh.triangles)
+        triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                               static_cast<std::size_t>(t[2]));
+    auto model = std::make_shared<Model>();
+    model->beginModel();
+    model->addSubModel(mesh.vertices, triangles);
+    model->endModel();
+    return model;
+}
+
+bool fcl_collide(const std::shared_ptr<Model>& a, const Pose& pose_a,
+                 const std::shared_ptr<Model>& b, const Pose& pose_b) {
+    const auto transform = [](const Pose& pose) {
+        fcl::Transform3d t = fcl::Transform3d::Identity();
+        t.linear() = pose.rotation;
+        t.translation() = pose.position;
+        return t;
+    };
+    const fcl::CollisionObjectd first(a, transform(pose_a));
+    const fcl::CollisionObjectd second(b, transform(pose_b));
+    fcl::CollisionResultd result;
+    return fcl::collide(&first, &second, fcl::CollisionRequestd(), result) > 0;
+}
+
+TriangleTree::Corners random_triangle(lod::Random& random) {
+    const auto corner = [&] { return Point(random.next(), random.next(), random.next()); };
+    return {corner(), corner(), corner()};
+}
+
+}  // namespace
+
+TEST_CASE("triangles worked by hand intersect, touch or miss", "[intersect]") {
+    const TriangleTree::Corners flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const auto moved = [](TriangleTree::Corners t, const Point& by) {
+        return TriangleTree::Corners{t.a + by, t.b + by, t.c + by};
+    };
+    CHECK(triangles_intersect(flat, flat));
+    CHECK_FALSE(triangles_intersect(flat, moved(flat, {0, 0, 0.001})));
+    CHECK(triangles_intersect(flat, moved(flat, {0.5, 0.25, 0})));       // in one plane
+    CHECK_FALSE(triangles_intersect(flat, moved(flat, {0.6, 0.6, 0})));  // in one plane, apart
+    CHECK(triangles_intersect(flat, moved(flat, {1, 0, 0})));            // one corner shared
+    const TriangleTree::Corners within{{0.2, 0.2, 0}, {0.3, 0.2, 0}, {0.2, 0.3, 0}};
+    CHECK(triangles_intersect(flat, within));
+    CHECK(triangles_intersect(within, flat));
+    const TriangleTree::Corners upright{{0.2, 0.2, -1}, {0.2, 0.2, 1}, {2, 2, 0}};
+    CHECK(triangles_intersect(flat, upright));
+    CHECK_FALSE(triangles_intersect(flat, moved(upright, {0.5, 0.5, 0})));
+    const TriangleTree::Corners on_corner{{0, 0, 0}, {-1, 0, 1}, {0, -1, 1}};
+    CHECK(triangles_intersect(flat, on_corner));
+}
+
+TEST_CASE("random triangles intersect exactly where FCL says so", "[intersect]") {
+    lod::Random random(21);
+    int meet = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const auto s = random_triangle(random);
+        const auto t = random_triangle(random);
+        const auto as_model = [](const TriangleTree::Corners& c) {
+            return fcl_model({{c.a, c.b, c.c}, {{0, 1, 2}}});
+        };
+        const bool expected = fcl_collide(as_model(s), {}, as_model(t), {});
+        INFO("pair " << i);
+        CHECK(triangles_intersect(s, t) == expected);
+        CHECK(triangles_intersect(t, s) == expected);
+        meet += expected;
+    }
+    CHECK(meet > 300);
+}
+
+TEST_CASE("posed meshes intersect exactly where FCL says so", "[intersect]") {
+    lod::Random random(22);
+    int meet = 0;
+    for (const auto& [first, second] : {std::pair("knot", "gear:9,0.25,0.4"),
+                                        std::pair("ring", "ring"), std::pair("blob:2", "L")}) {
+        const Solid a = solid_from_spec(first);
+        const Solid b = solid_from_spec(second);
+        const TriangleTree tree_a(a.mesh);
+        const TriangleTree tree_b(b.mesh);
+        const auto model_a = fcl_model(a.mesh);
+        const auto model_b = fcl_model(b.mesh);
+        for (int i = 0; i < 200; ++i) {
+            const Pose pose_a{random_rotation(random), Point(random.next(), 0, 0)};
+            const Pose pose_b{random_rotation(random),
+                              pose_a.position + random.next(0.2, 1) * random_direction(random)};
+            const bool expected = fcl_collide(model_a, pose_a, model_b, pose_b);
+            INFO(first << " and " << second << ", pair " << i);
+            CHECK(surfaces_intersect(tree_a, pose_a, tree_b, pose_b) == expected);
+            CHECK(surfaces_intersect(tree_b, pose_b, tree_a, pose_a) == expected);
+            meet += expected;
+        }
+    }
+    CHECK(meet > 100);
+    CHECK(meet < 500);
+}

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/random.hpp"
+#include "lod3d/intersect.hpp"
+
+/// A uniform random direction.
+inline lod3d::Point random_direction(lod::Random& random) {
+    lod3d::Point p;
+    do
+        for (int d = 0; d < 3; ++d) p[d] = random.next(-1, 1);
+    while (p.squaredNorm() > 1 || p.squaredNorm() < 1e-4);
+    return p.normalized();
+}
+
+inline Eigen::Matrix3d random_rotation(lod::Random& random) {
+    const Eigen::AngleAxisd turn(random.next(0, 6.283), random_direction(random));
+    return turn.toRotationMatrix();
+}

@@ -1,0 +1,144 @@
+#include "lod3d/solid.hpp"
+
+#include <limits>
+
+#include "core/error.hpp"
+#include "lod3d/generators.hpp"
+#include "tests/catch.hpp"
+
+using namespace lod3d;
+
+namespace {
+
+Mesh made(std::string_view spec) {
+    return lod::make_from_spec(solid_generators(), spec);
+}
+
+void append(Mesh& mesh, const Mesh& other, const Point& by, double scale = 1) {
+    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
+    for (const Point& p : other.vertices) mesh.vertices.push_back(scale * p + by);
+    for (const Triangle& t : other.triangles)
+        mesh.triangles.push_back({t[0] + first, t[1] + first, t[2] + first});
+}
+
+std::string refusal(Mesh mesh, const SolidOptions& options = {}) {
+    try {
+        static_cast<void>(make_solid("it", std::move(mesh), options));
+    } catch (const lod::Error& error) {
+        CHECK(error.kind() == lod::ErrorKind::input_refused);
+        return error.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("a solid stands on its centre of mass", "[solid]") {
+    Mesh box = made("box:2,1,1");
+    for (Point& p : box.vertices) p += Point(10, 20, 30);
+    const Solid solid = make_solid("it", box);
+    CHECK(solid.centroid.isApprox(Point(10, 20, 30), 1e-14));
+    CHECK(integrate(solid.mesh).centroid.norm() < 1e-14);
+    CHECK(solid.volume == Approx(2));
+    CHECK(solid.second_moment(0, 0) == Approx(2.0 / 12 * 2));
+    CHECK(solid.mended.empty());
+}
+
+TEST_CASE("numbers that are none are refused and counted", "[solid]") {
+    Mesh nan = made("box");
+    nan.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
+    nan.vertices[5].x() = 1e300;
+    CHECK_THAT(refusal(nan), Catch::Contains("it: 2 of 8 vertices are not finite"));
+    Mesh astray = made("box");
+    astray.triangles[2][1] = 8;
+    astray.triangles[4][0] = -1;
+    CHECK_THAT(refusal(astray), Catch::Contains("2 vertex numbers are out of range"));
+    CHECK_THAT(refusal({}), Catch::Contains("no triangles"));
+}
+
+TEST_CASE("meshes without volume are refused, each with its reason", "[solid]") {
+    const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+    CHECK_THAT(refusal(one), Catch::Contains("3 edges with one triangle only"));
+    const Mesh point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}}};
+    CHECK_THAT(refusal(point), Catch::Contains("two equal corners"));
+    Mesh flat = made("box");
+    for (Point& p : flat.vertices) p.z() = 0;
+    CHECK(refusal(flat) != "accepted");
+    Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};  // both sides of one
+    CHECK_THAT(refusal(sheet), Catch::Contains("no volume"));
+}
+
+TEST_CASE("an open mesh is refused with its edges, or filled when asked", "[solid]") {
+    Mesh open = made("ball:3");
+    const double volume = integrate(open).volume;
+    open.triangles.erase(open.triangles.begin() + 100, open.triangles.begin() + 103);
+    CHECK_THAT(refusal(open),
+               Catch::Contains("edges with one triangle only") && Catch::Contains("fill"));
+    const Solid filled = make_solid("it", open, {.fill = true, .fill_cells = 48});
+    CHECK(filled.approximate);
+    CHECK(filled.volume == Approx(volume).epsilon(0.01));
+    CHECK(find_bad_edges(filled.mesh).none());
+    CHECK_FALSE(filled.mended.empty());
+}
+
+TEST_CASE("zero-area triangles in a closed mesh do no harm", "[solid]") {
+    // A point on an edge of the box, joined by a sliver to the neighbour that does not know of it.
+    Mesh box = made("box:1,1,1");
+    const Triangle t = box.triangles[0];
+    const auto middle = static_cast<std::int32_t>(box.vertices.size());
+    box.vertices.push_back(0.5 * (box.corner(0, 0) + box.corner(0, 1)));
+    box.triangles[0] = {middle, t[1], t[2]};
+    box.triangles.push_back({t[0], middle, t[2]});
+    box.triangles.push_back({t[0], t[1], middle});  // the sliver
+    const Solid solid = make_solid("it", box);
+    CHECK(solid.volume == Approx(1).epsilon(1e-14));
+    CHECK(MeshDistance(solid.mesh).inside(Point(0.49, 0.49, 0.49)));
+}
+
+TEST_CASE("an inside-out mesh is turned, and that is said", "[solid]") {
+    Mesh knot = made("knot");
+    const double volume = integrate(knot).volume;
+    flip(knot);
+    const Solid solid = make_solid("it", knot);
+    CHECK(solid.volume == Approx(volume).epsilon(1e-12));
+    REQUIRE(solid.mended.size() == 1);
+    CHECK_THAT(solid.mended[0], Catch::Contains("inside-out"));
+}
+
+TEST_CASE("two parts side by side make one exact solid, even if one is inside-out", "[solid]") {
+    Mesh two = made("box:1,1,1");
+    Mesh other = made("box:1,1,1");
+    flip(other);
+    append(two, other, {3, 0, 0});
+    const Solid solid = make_solid("it", two);
+    CHECK(solid.volume == Approx(2).epsilon(1e-14));
+    CHECK(solid.centroid.isApprox(Point(1.5, 0, 0), 1e-14));
+    // Two cubes: about x 2/6, about y and z 2 (1/6 + 1.5^2).
+    CHECK(solid.second_moment(0, 0) == Approx(2.0 / 6).epsilon(1e-13));
+    CHECK(solid.second_moment(1, 1) == Approx(2 * (1.0 / 6 + 2.25)).epsilon(1e-13));
+    CHECK_FALSE(solid.approximate);
+}
+
+TEST_CASE("a shell that faces its hull is a cavity, also when all is inside-out", "[solid]") {
+    Mesh hollow = made("box:1,1,1");
+    Mesh inner = made("box:1,1,1");
+    flip(inner);
+    append(hollow, inner, Point::Zero(), 0.5);
+    CHECK(make_solid("it", hollow).volume == Approx(1 - 0.125).epsilon(1e-14));
+    flip(hollow);
+    const Solid turned = make_solid("it", hollow);
+    CHECK(turned.volume == Approx(1 - 0.125).epsilon(1e-14));
+    CHECK_FALSE(MeshDistance(turned.mesh).inside(Point::Zero()));
+    CHECK(MeshDistance(turned.mesh).inside(Point(0.4, 0, 0)));
+}
+
+TEST_CASE("overlapping parts count once, and the integrals are marked", "[solid]") {
+    Mesh two = made("box:1,1,1");
+    append(two, made("box:1,1,1"), {0.5, 0.1, 0});
+    const Solid solid = make_solid("it", two);
+    CHECK(solid.approximate);
+    CHECK(solid.volume == Approx(2 - 0.5 * 0.9).epsilon(0.02));
+    CHECK(solid.inside_rule == InsideRule::winding);
+    const MeshDistance distance(solid.mesh, solid.inside_rule);
+    CHECK(distance.inside(Point::Zero()));  // behind a hidden face
+}
