@@ -26,6 +26,9 @@ struct GrowSettings {
     /// is added to its protrusion when covers are compared. Contact normals come from the surface
     /// that a node stands for, and a ball between two opposite sides has none. 0: fit alone counts.
     double normal_weight = 0;
+    /// Whether the strategy's starts are covers that stand out little: then they are only improved
+    /// as such, not made small as well.
+    bool starts_are_covers = false;
     int most_rounds = 12;      ///< of splitting and fitting again, for each start
     double least_gain = 0.01;  ///< a round that improves by a smaller share is the last
     /// Called with the share of the work done, 0 to 1, never decreasing.
@@ -42,6 +45,7 @@ concept GrowStrategy = requires(const Strategy strategy, const Piece piece,
     /// Starts for dividing a piece, which the ball holds, into so many parts; the best will be
     /// kept.
     { strategy.starts(piece, ball, int{}) } -> std::same_as<std::vector<std::vector<Sphere<Dim>>>>;
+    /// A strategy may take a fourth number: how many levels will follow the one that is made.
     /// A ball that holds the piece with rounding_bound to spare, near `ball` if that is good; if
     /// `ball` holds the piece, the result stands out of the shape no more than it does.
     { strategy.fit(piece, ball) } -> std::same_as<Sphere<Dim>>;
@@ -100,7 +104,11 @@ class Grower {
     /// the one that looks best on the next level too.
     Cover<Dim> best_cover(const Piece& owned, const Sphere<Dim>& ball, int levels_left) const {
         std::vector<Cover<Dim>> candidates;
-        for (const auto& start : strategy_.starts(owned, ball, settings_.branching)) {
+        for (const auto& start : starts(owned, ball, levels_left - 1)) {
+            if (settings_.starts_are_covers) {
+                candidates.push_back(improved(owned, start, Aim::close));
+                continue;
+            }
             Cover<Dim> small = improved(owned, start, Aim::small);
             candidates.push_back(improved(owned, start, Aim::close));
             candidates.push_back(improved(owned, small.balls, Aim::close));
@@ -117,6 +125,14 @@ class Grower {
             least = cost;
         }
         return *best;
+    }
+
+    std::vector<std::vector<Sphere<Dim>>> starts(const Piece& owned, const Sphere<Dim>& ball,
+                                                 int levels_after) const {
+        if constexpr (requires { strategy_.starts(owned, ball, 0, levels_after); })
+            return strategy_.starts(owned, ball, settings_.branching, levels_after);
+        else
+            return strategy_.starts(owned, ball, settings_.branching);
     }
 
     double cost(const Piece& owned, const Sphere<Dim>& ball) const {

@@ -1,0 +1,217 @@
+#include "lod3d/ball_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "core/builder/protrusion.hpp"
+
+namespace lod3d {
+namespace {
+
+/// Keeps one point of each cube of a grid.
+class Sieve {
+  public:
+    Sieve(std::vector<Point>& kept, double step) : kept_(kept), step_(step) {}
+
+    void add(const Point& p) {
+        std::array<std::int64_t, 3> cube;
+        for (int d = 0; d < 3; ++d)
+            cube[static_cast<std::size_t>(d)] = static_cast<std::int64_t>(std::floor(p[d] / step_));
+        seen_.push_back({cube, kept_.size()});
+        kept_.push_back(p);
+    }
+    /// Drops all but the first point of each cube.
+    void finish() {
+        std::sort(seen_.begin(), seen_.end());
+        std::vector<char> keep(kept_.size(), seen_.empty());
+        for (std::size_t i = 0; i < seen_.size(); ++i)
+            if (i == 0 || seen_[i].cube != seen_[i - 1].cube) keep[seen_[i].number] = 1;
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < kept_.size(); ++i)
+            if (keep[i]) kept_[count++] = kept_[i];
+        kept_.resize(count);
+        seen_.clear();
+    }
+
+  private:
+    struct Seen {
+        std::array<std::int64_t, 3> cube;
+        std::size_t number;
+        bool operator<(const Seen& other) const {
+            return std::tie(cube, number) < std::tie(other.cube, other.number);
+        }
+    };
+    std::vector<Point>& kept_;
+    double step_;
+    std::vector<Seen> seen_;
+};
+
+/// Points of a triangle no further apart than the spacing.
+void sieve_triangle(const Point& a, const Point& b, const Point& c, double spacing, Sieve& sieve) {
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    const int steps = static_cast<int>(std::min(std::ceil(longest / spacing), 200.0));
+    if (steps <= 1) return sieve.add((a + b + c) / 3);
+    for (int i = 0; i <= steps; ++i)
+        for (int j = 0; i + j <= steps; ++j)
+            sieve.add(a + (b - a) * (static_cast<double>(i) / steps) +
+                      (c - a) * (static_cast<double>(j) / steps));
+}
+
+/// The vertices that stand out furthest along the 26 ways to the neighbours of a cube.
+std::vector<Point> outermost(std::span<const Point> vertices) {
+    std::vector<Point> found;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z) {
+                const Point way(x, y, z);
+                if (way.isZero(0)) continue;
+                found.push_back(*std::max_element(
+                    vertices.begin(), vertices.end(),
+                    [&](const Point& p, const Point& q) { return way.dot(p) < way.dot(q); }));
+            }
+    return found;
+}
+
+/// R(x) - depth(x), to be made least.
+class Excess {
+  public:
+    Excess(const MeshDistance& distance, std::span<const Point> vertices)
+        : distance_(distance), vertices_(vertices), outer_(outermost(vertices)) {}
+
+    /// Walks downhill from x, as if only the outer vertices were there; each that turns out to be
+    /// missing joins them, and the walk goes on.
+    Point least_near(Point x, double step, double least_step) {
+        constexpr int most_joins = 12;
+        for (int join = 0; join < most_joins; ++join) {
+            x = walk(x, step, least_step);
+            const Point& missing = farthest(x);
+            if ((missing - x).norm() <= radius(x) * (1 + 1e-9)) break;
+            outer_.push_back(missing);
+            step = std::max(step / 2, 16 * least_step);
+        }
+        return x;
+    }
+
+    [[nodiscard]] double at(const Point& x) const {
+        return radius(x) + distance_.signed_distance(x);
+    }
+
+  private:
+    [[nodiscard]] double radius(const Point& x) const {
+        return lod::farthest_distance<3>(x, outer_);
+    }
+    [[nodiscard]] const Point& farthest(const Point& x) const {
+        return *std::max_element(vertices_.begin(), vertices_.end(),
+                                 [&](const Point& p, const Point& q) {
+                                     return (p - x).squaredNorm() < (q - x).squaredNorm();
+                                 });
+    }
+
+    /// Compass search along fourteen ways; a step that finds nothing is halved.
+    Point walk(Point best, double step, double least_step) const {
+        static const std::array<Point, 14> ways = [] {
+            const double s = std::sqrt(1.0 / 3);
+            return std::array<Point, 14>{Point(1, 0, 0),   Point(-1, 0, 0),  Point(0, 1, 0),
+                                         Point(0, -1, 0),  Point(0, 0, 1),   Point(0, 0, -1),
+                                         Point(s, s, s),   Point(-s, s, s),  Point(s, -s, s),
+                                         Point(s, s, -s),  Point(-s, -s, s), Point(-s, s, -s),
+                                         Point(s, -s, -s), Point(-s, -s, -s)};
+        }();
+        double least = at(best);
+        double depth = radius(best) - least;
+        while (step > least_step && least > 0) {
+            Point next = best;
+            for (const Point& way : ways) {
+                const Point x = best + step * way;
+                // Depth changes by no more than one moves.
+                if (radius(x) - depth - step >= least) continue;
+                const double value = at(x);
+                if (value >= least) continue;
+                least = value;
+                next = x;
+            }
+            if (next == best) {
+                step /= 2;
+            } else {
+                best = next;
+                depth = radius(best) - least;
+            }
+        }
+        return best;
+    }
+
+    const MeshDistance& distance_;
+    std::span<const Point> vertices_;
+    std::vector<Point> outer_;
+};
+
+}  // namespace
+
+std::vector<Point> spread_points(const MeshPiece& piece, const MeshDistance& distance,
+                                 double spacing) {
+    std::vector<Point> points;
+    Sieve sieve(points, spacing);
+    piece.each_polygon([&](std::span<const Point> polygon) {
+        for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+            sieve_triangle(polygon[0], polygon[i], polygon[i + 1], spacing, sieve);
+    });
+    sieve.finish();
+    const Box box = piece.bounds();
+    const double step = 1.5 * spacing;  // the interior asks for less than the surface
+    for (double x = box.low.x() + step / 2; x < box.high.x(); x += step)
+        for (double y = box.low.y() + step / 2; y < box.high.y(); y += step)
+            for (double z = box.low.z() + step / 2; z < box.high.z(); z += step) {
+                const Point p(x, y, z);
+                if (piece.cell().holds(p) && distance.inside(p)) points.push_back(p);
+            }
+    const std::vector<Point> outer = outermost(piece.vertices());
+    points.insert(points.end(), outer.begin(), outer.end());
+    return points;
+}
+
+std::vector<std::vector<lod::Sphere<3>>> BallFit::starts(const MeshPiece& piece,
+                                                         const lod::Sphere<3>& ball, int count,
+                                                         int levels_after) const {
+    const double size = lod::enclosing_ball<3>(piece.vertices()).radius;
+    const std::vector<Point> points = spread_points(piece, distance_, settings_.spacing * size);
+    std::uint64_t seed = 0;  // of the place, so that the order of the pieces does not matter
+    for (int d = 0; d < 3; ++d) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &ball.centre[d], sizeof bits);
+        seed = seed * 31 + bits;
+    }
+    lod::CoverSettings settings = settings_.quick;
+    settings.count = count;
+    auto quick = lod::cover_points<3>(field_, points, size, seed, settings);
+    const double parent = lod::protrusion_bound<3>(distance_, ball);
+    const bool easy = quick.front().protrusion <= settings_.easy_share * parent;
+    if (easy && levels_after <= 1)  // what is decided high up matters to all below
+        return {std::move(quick.front().balls)};
+    settings = settings_.thorough;
+    settings.count = count;
+    if (levels_after > 0) {
+        auto cover = lod::cover_with_foresight<3>(field_, points, size, seed, settings);
+        return {std::move(cover.balls)};
+    }
+    auto covers = lod::cover_points<3>(field_, points, size, seed, settings);
+    return {std::move(covers.front().balls)};
+}
+
+lod::Sphere<3> BallFit::fit(const MeshPiece& piece, const lod::Sphere<3>& start) const {
+    const lod::Sphere<3> least = lod::enclosing_ball<3>(piece.vertices());
+    Excess excess(distance_, piece.vertices());
+    const Point from =
+        excess.at(start.centre) < excess.at(least.centre) ? start.centre : least.centre;
+    const Point centre = excess.least_near(from, least.radius / 8, least.radius * 1e-3);
+    return {centre, lod::farthest_distance<3>(centre, piece.vertices()) + spare_};
+}
+
+double BallFit::protrusion(const lod::Sphere<3>& ball) const {
+    const double bound = lod::protrusion_bound<3>(distance_, ball);
+    if (bound <= 4 * spare_) return bound;
+    return lod::find_protrusion<3>(distance_, std::span(&ball, 1), bound / 20, 5000).most;
+}
+
+}  // namespace lod3d

@@ -1,0 +1,143 @@
+#include "lod3d/sphere_tree.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "core/builder/grid_tree.hpp"
+#include "core/trigonometry.hpp"
+#include "lod3d/ball_fit.hpp"
+
+namespace lod3d {
+namespace {
+
+constexpr std::array<SolidBuilder, 2> all_builders{SolidBuilder::octree, SolidBuilder::cover};
+
+/// The depth that the limit of nodes leaves.
+int depth_within(const SphereTreeSettings& settings) {
+    if (settings.most_nodes <= 0) return settings.depth;
+    double level = 1;
+    double all = 1;
+    int depth = 0;
+    while (depth < settings.depth) {
+        level *= settings.branching;
+        all += level;
+        if (all > static_cast<double>(settings.most_nodes)) break;
+        ++depth;
+    }
+    return depth;
+}
+
+lod::SphereTree<3> grow_cover(const Solid& solid, const MeshPiece& whole,
+                              const MeshDistance& distance, const lod::GrowSettings& limits,
+                              double least_protrusion) {
+    constexpr int field_cells = 64;
+    lod::Sphere<3> root = lod::enclosing_ball<3>(whole.vertices());
+    root.radius += lod::rounding_bound(root);
+    const DistanceField field(distance, bounding_box(solid.mesh), field_cells);
+    const BallFit strategy(distance, field, lod::rounding_bound(root), {});
+    lod::GrowSettings settings = limits;
+    settings.least_protrusion = least_protrusion * 2 * root.radius;
+    settings.starts_are_covers = true;
+    settings.look_ahead_above = std::numeric_limits<double>::infinity();  // the strategy does
+    return lod::grow_tree<3>(whole, root, strategy, settings);
+}
+
+/// Points spread evenly over the unit sphere (a spiral of the golden angle).
+std::vector<Point> spread_directions(int count) {
+    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
+    std::vector<Point> directions;
+    for (int i = 0; i < count; ++i) {
+        const double height = 1 - (2 * i + 1.0) / count;
+        const double radius = std::sqrt(1 - height * height);
+        const lod::SineCosine of = lod::sine_cosine(golden_angle * i);
+        directions.emplace_back(radius * of.cosine, radius * of.sine, height);
+    }
+    return directions;
+}
+
+/// Samples the part of every sphere that no other ball covers. Its volume is a third of the
+/// integral of x . n over it (Gauss).
+lod::UnionMeasures sample_union(std::span<const lod::Sphere<3>> balls, const MeshDistance& distance,
+                                int samples) {
+    const int each = std::max(100, samples / static_cast<int>(balls.size()));
+    const std::vector<Point> directions = spread_directions(each);
+    double area = 0;
+    double distances = 0;
+    lod::UnionMeasures result;
+    for (std::size_t i = 0; i < balls.size(); ++i) {
+        lod::check_interrupted();
+        const lod::Sphere<3>& own = balls[i];
+        std::vector<const lod::Sphere<3>*> near;
+        for (std::size_t j = 0; j < balls.size(); ++j)
+            if (j != i && lod::overlap(own, balls[j])) near.push_back(&balls[j]);
+        const double patch = 4 * std::numbers::pi * own.radius * own.radius / each;
+        for (const Point& u : directions) {
+            const Point p = own.centre + own.radius * u;
+            const bool hidden = std::any_of(near.begin(), near.end(), [&](const auto* ball) {
+                return (p - ball->centre).squaredNorm() < ball->radius * ball->radius;
+            });
+            if (hidden) continue;
+            area += patch;
+            distances += patch * distance.distance(p);
+            result.measure += patch * p.dot(u) / 3;
+        }
+    }
+    if (area > 0) result.mean_protrusion = distances / area;
+    return result;
+}
+
+}  // namespace
+
+lod::SphereTree<3> build_sphere_tree(const Solid& solid, const SphereTreeSettings& settings) {
+    lod::GrowSettings limits;
+    limits.branching = settings.branching;
+    limits.depth = settings.depth;
+    limits.progress = settings.progress;
+    if (settings.builder == SolidBuilder::octree && settings.branching != 8)
+        throw lod::Error(lod::ErrorKind::usage,
+                         "an octree has branching 8; choose that or another builder");
+    lod::check_grow_settings(limits);
+    limits.depth = depth_within(settings);
+    const MeshDistance distance(solid.mesh, solid.inside_rule);
+    const MeshPiece whole(solid, distance);
+    lod::SphereTree<3> tree =
+        settings.builder == SolidBuilder::octree
+            ? lod::grow_grid_tree<3>(whole, limits.depth, limits.progress)
+            : grow_cover(solid, whole, distance, limits, settings.least_protrusion);
+    if (!lod::certify<3>(tree, whole).back().certified)
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         "the sphere tree of " + solid.name +
+                             " does not cover it to within rounding; simplify the mesh or choose "
+                             "a smaller depth");
+    return tree;
+}
+
+std::span<const SolidBuilder> solid_builders() {
+    return all_builders;
+}
+
+std::string_view name_of(SolidBuilder builder) {
+    return builder == SolidBuilder::octree ? "octree" : "cover";
+}
+
+SolidBuilder solid_builder_named(std::string_view name) {
+    for (const SolidBuilder builder : all_builders)
+        if (name == name_of(builder)) return builder;
+    throw lod::Error(lod::ErrorKind::usage, "no builder of sphere trees is called \"" +
+                                                std::string(name) + "\"; choose octree or cover");
+}
+
+lod::TreeReport report_sphere_tree(const Solid& solid, const lod::SphereTree<3>& tree,
+                                   const SphereTreeReportSettings& settings) {
+    const MeshDistance distance(solid.mesh, solid.inside_rule);
+    const MeshPiece whole(solid, distance);
+    return lod::report_levels<3>(tree, whole, distance, solid.volume, settings.tolerance,
+                                 [&](std::span<const lod::Sphere<3>> balls) {
+                                     return sample_union(balls, distance, settings.samples);
+                                 });
+}
+
+}  // namespace lod3d
