@@ -1,0 +1,100 @@
+#include "lod3d/export_spheres.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace lod3d {
+namespace {
+
+std::string text_of(double value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+std::string listed(const Point& p, const std::string& between) {
+    return text_of(p.x()) + between + text_of(p.y()) + between + text_of(p.z());
+}
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+        if (c == '&')
+            result += "&amp;";
+        else if (c == '<')
+            result += "&lt;";
+        else if (c == '"')
+            result += "&quot;";
+        else
+            result += c;
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string spheres_to_sph(const lod::SphereTree<3>& tree, const Point& centroid) {
+    constexpr double most_nodes = 4e6;
+    const int branching =
+        std::max(1, *std::max_element(tree.child_count.begin(), tree.child_count.end()));
+    double size = 1;
+    for (int level = 1; level < tree.levels(); ++level) size *= branching;
+    if (size > most_nodes)
+        throw lod::Error(lod::ErrorKind::limit_exceeded,
+                         "a .sph file lists the complete tree, here more than 4 million spheres; "
+                         "export a tree of fewer levels or as JSON");
+    std::string text = std::to_string(tree.levels()) + " " + std::to_string(branching) + "\n";
+    constexpr int none = -1;
+    std::vector<int> level{0};
+    for (int k = 0; k < tree.levels(); ++k) {
+        std::vector<int> next;
+        for (const int node : level) {
+            if (node == none) {
+                text += "0 0 0 0 0\n";
+            } else {
+                const auto ball = tree.sphere(node);
+                text += listed(ball.centre + centroid, " ") + " " + text_of(ball.radius) + " 1\n";
+            }
+            for (int c = 0; c < branching; ++c) {
+                const bool there = node != none && c < tree.child_count[tree.index(node)];
+                next.push_back(there ? tree.first_child[tree.index(node)] + c : none);
+            }
+        }
+        level = std::move(next);
+    }
+    return text;
+}
+
+std::string spheres_to_json(const lod::SphereTree<3>& tree, const Point& centroid) {
+    std::string text = "{\"frame\": \"mesh\", \"levels\": [";
+    for (int level = 0; level < tree.levels(); ++level) {
+        text += std::string(level > 0 ? "," : "") + "\n{\"level\": " + std::to_string(level) +
+                ", \"spheres\": [";
+        std::string between = "\n";
+        for (const int node : tree.level_nodes(level)) {
+            const auto ball = tree.sphere(node);
+            text += between + "{\"centre\": [" + listed(ball.centre + centroid, ", ") +
+                    "], \"radius\": " + text_of(ball.radius) + "}";
+            between = ",\n";
+        }
+        text += "]}";
+    }
+    return text + "]}\n";
+}
+
+std::string spheres_to_urdf(const lod::SphereTree<3>& tree, const Point& centroid, int level,
+                            const std::string& name) {
+    std::string text =
+        "<?xml version=\"1.0\"?>\n<robot name=\"" + escaped(name) + "\">\n  <link name=\"body\">\n";
+    for (const int node : tree.level_nodes(level)) {
+        const auto ball = tree.sphere(node);
+        text += "    <collision><origin xyz=\"" + listed(ball.centre + centroid, " ") +
+                "\"/><geometry><sphere radius=\"" + text_of(ball.radius) +
+                "\"/></geometry></collision>\n";
+    }
+    return text + "  </link>\n</robot>\n";
+}
+
+}  // namespace lod3d
