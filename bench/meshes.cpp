@@ -1,0 +1,131 @@
+// What becomes of real mesh files, and how well sphere trees fit those that are solids: how many
+// files give a mesh or a refusal and what the slowest cost, then the table of levels.
+//
+// bench_meshes [FOLDER]    defaults to the models of assimp-testmodels; glmark2's are always built
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "lod3d/load_mesh.hpp"
+#include "lod3d/sphere_tree.hpp"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+namespace fs = std::filesystem;
+
+double seconds_since(Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+long most_megabytes() {
+    rusage own{};
+    rusage children{};
+    getrusage(RUSAGE_SELF, &own);
+    getrusage(RUSAGE_CHILDREN, &children);
+    return std::max(own.ru_maxrss, children.ru_maxrss) / 1024;
+}
+
+std::vector<fs::path> files_below(const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void read_all(const fs::path& folder) {
+    int solids = 0;
+    int open = 0;
+    int filled = 0;
+    int refused = 0;
+    double slowest = 0;
+    std::string slowest_file;
+    const auto files = files_below(folder);
+    for (const fs::path& file : files) {
+        const auto start = Clock::now();
+        bool loaded = false;
+        try {
+            const lod3d::Mesh mesh = lod3d::load_mesh(file);
+            loaded = true;
+            try {
+                static_cast<void>(lod3d::make_solid(file.stem().string(), mesh));
+                ++solids;
+            } catch (const lod::Error&) {
+                ++open;
+                static_cast<void>(lod3d::make_solid(file.stem().string(), mesh, {.fill = true}));
+                ++filled;
+            }
+        } catch (const lod::Error& error) {
+            if (!loaded) ++refused;
+            if (!loaded && lod3d::is_mesh_format(file.extension().string().erase(0, 1)))
+                std::printf("  %s\n", error.what());
+        }
+        if (seconds_since(start) > slowest) {
+            slowest = seconds_since(start);
+            slowest_file = file.filename().string();
+        }
+    }
+    std::printf(
+        "%zu files: %d solids, %d meshes that bound none as they are (%d of them can be "
+        "filled), %d refused\n",
+        files.size(), solids, open, filled, refused);
+    std::printf("slowest %.2f s (%s), most memory of a process %ld MB\n", slowest,
+                slowest_file.c_str(), most_megabytes());
+}
+
+void grow(const fs::path& file, lod3d::SolidBuilder builder, bool fill) {
+    const lod3d::Solid solid =
+        lod3d::make_solid(file.stem().string(), lod3d::load_mesh(file), {.fill = fill});
+    lod3d::SphereTreeSettings settings;
+    settings.builder = builder;
+    const auto start = Clock::now();
+    const auto tree = lod3d::build_sphere_tree(solid, settings);
+    std::printf("%s%s, %zu triangles, %s: %.1f s\n", solid.name.c_str(), fill ? " (filled)" : "",
+                solid.mesh.triangles.size(), std::string(lod3d::name_of(builder)).c_str(),
+                seconds_since(start));
+    for (const lod::LevelReport& level : lod3d::report_sphere_tree(solid, tree).levels)
+        std::printf(
+            "  level %d  %4d nodes  worst %7.3f %%  mean %7.3f %%  volume ratio %7.3f  %s\n",
+            level.level, level.nodes, 100 * level.worst_protrusion_fraction,
+            100 * level.mean_protrusion_fraction, level.measure_ratio,
+            level.certified ? "certified" : "NOT CERTIFIED");
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+int main(int count, char** words) {
+    try {
+        const fs::path folder = count > 1 ? words[1] : "/usr/share/assimp/models";
+        const fs::path models = "/usr/share/glmark2/models";
+        for (const fs::path& needed : {folder, models})
+            if (!fs::is_directory(needed)) {
+                std::fprintf(stderr,
+                             "bench_meshes: no folder %s; install assimp-testmodels and "
+                             "glmark2-data\n",
+                             needed.c_str());
+                return 6;
+            }
+        read_all(folder);
+        for (const char* name : {"bunny.obj", "asteroid-high.3ds", "horse.3ds", "cat.3ds"})
+            for (const lod3d::SolidBuilder builder : lod3d::solid_builders()) {
+                try {
+                    grow(models / name, builder, false);
+                } catch (const lod::Error& error) {
+                    std::printf("%s\n", error.what());
+                    grow(models / name, builder, true);
+                }
+            }
+        return 0;
+    } catch (const lod::Error& error) {
+        std::fprintf(stderr, "bench_meshes: %s\n", error.what());
+        return static_cast<int>(error.kind());
+    }
+}
