@@ -187,16 +187,20 @@ std::vector<std::vector<lod::Sphere<3>>> BallFit::starts(const MeshPiece& piece,
     auto quick = lod::cover_points<3>(field_, points, size, seed, settings);
     const double parent = lod::protrusion_bound<3>(distance_, ball);
     const bool easy = quick.front().protrusion <= settings_.easy_share * parent;
-    if (easy && levels_after <= 1)  // what is decided high up matters to all below
-        return {std::move(quick.front().balls)};
+    const bool high_up = levels_after > 1 || parent > 0.6 * ball.radius;  // much depends on it
+    if (easy && !high_up) return {std::move(quick.front().balls)};
     settings = settings_.thorough;
     settings.count = count;
     if (levels_after > 0) {
+        if (high_up) settings.foresight_starts *= 4;
         auto cover = lod::cover_with_foresight<3>(field_, points, size, seed, settings);
         return {std::move(cover.balls)};
     }
-    auto covers = lod::cover_points<3>(field_, points, size, seed, settings);
-    return {std::move(covers.front().balls)};
+    settings.starts *= 4;  // the last chance, for few pieces
+    std::vector<std::vector<lod::Sphere<3>>> result;
+    for (auto& cover : lod::cover_points<3>(field_, points, size, seed, settings))
+        result.push_back(std::move(cover.balls));
+    return result;
 }
 
 lod::Sphere<3> BallFit::fit(const MeshPiece& piece, const lod::Sphere<3>& start) const {

@@ -12,7 +12,7 @@ struct BallFitSettings {
     /// The search where the quick cover stands out by more than easy_share of what the parent's
     /// ball stands out by.
     lod::CoverSettings thorough{.starts = 160, .rounds = 300, .finalists = 6, .foresights = 6};
-    double easy_share = 0.33;
+    double easy_share = 0.42;
     double spacing = 0.08;  ///< of the points that stand for a piece, share of its radius
 };
 

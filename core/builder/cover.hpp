@@ -36,11 +36,12 @@ struct PointCover {
 };
 
 struct CoverSettings {
-    int count = 8;       ///< balls, at least 1
-    int starts = 40;     ///< random starts
-    int rounds = 300;    ///< of going downhill, for the best of the starts
-    int finalists = 3;   ///< starts that are carried to the end
-    int foresights = 8;  ///< times that a finalist is changed for the good of the next level
+    int count = 8;              ///< balls, at least 1
+    int starts = 40;            ///< random starts
+    int rounds = 300;           ///< of going downhill, for the best of the starts
+    int finalists = 3;          ///< starts that are carried to the end
+    int foresight_starts = 12;  ///< random starts of each quick cover of the next level
+    int foresights = 8;         ///< times that a finalist is changed for the good of the next level
 };
 
 namespace detail {
@@ -277,8 +278,8 @@ namespace detail {
 template <int Dim, DistanceFieldOf<Dim> Field>
 std::vector<double> look_ahead(const Field& field, std::span<const Vector<Dim>> points,
                                std::span<const std::size_t> owners, std::size_t balls, int count,
-                               std::uint64_t seed) {
-    const CoverSettings quick{count, 12, 100, 1, 0};
+                               int starts, std::uint64_t seed) {
+    const CoverSettings quick{.count = count, .starts = starts, .rounds = 100, .finalists = 2};
     std::vector<std::vector<Vector<Dim>>> cells(balls);
     for (std::size_t p = 0; p < points.size(); ++p) cells[owners[p]].push_back(points[p]);
     std::vector<double> next;
@@ -315,8 +316,9 @@ template <int Dim, DistanceFieldOf<Dim> Field>
         for (int round = 0; round < settings.foresights; ++round) {
             check_interrupted();
             const auto owners = power_owners<Dim>(points, cover.balls);
-            const std::vector<double> next = detail::look_ahead<Dim>(
-                field, points, owners, cover.balls.size(), settings.count, seed);
+            const std::vector<double> next =
+                detail::look_ahead<Dim>(field, points, owners, cover.balls.size(), settings.count,
+                                        settings.foresight_starts, seed);
             const double worst = *std::max_element(next.begin(), next.end());
             const double worth = cover.protrusion + 3 * worst;
             if (worth < least) {
