@@ -11,7 +11,7 @@ struct ImportLimits {
     std::uint64_t most_bytes = 512u << 20;  ///< of the file
     std::uint64_t most_triangles = 4'000'000;
     std::uint64_t most_memory = 2048ull << 20;  ///< of the importer [bytes]
-    double most_seconds = 60;                   ///< of the importer
+    double most_seconds = 60;                   ///< of the importer; 0 accepts no file
 };
 
 /// The formats that are read, by the ending in lower case: obj ply stl off 3ds gltf glb.

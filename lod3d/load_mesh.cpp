@@ -227,11 +227,11 @@ class Child {
     void await() const {
         for (;;) {
             lod::check_interrupted();
-            pollfd waiting{pipe_, POLLIN, 0};
-            if (poll(&waiting, 1, 100) > 0) return;
-            if (std::chrono::steady_clock::now() > deadline_)
+            if (std::chrono::steady_clock::now() >= deadline_)
                 exceed("reading it took longer than the limit of " +
                        std::to_string(static_cast<long>(limits_.most_seconds)) + " s");
+            pollfd waiting{pipe_, POLLIN, 0};
+            if (poll(&waiting, 1, 100) > 0) return;
         }
     }
 
