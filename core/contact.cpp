@@ -25,6 +25,32 @@ double along(PointModel model, double d, double radius_a, double radius_b) {
     return radius_a < radius_b ? -radius_a : d + radius_b;
 }
 
+/// How far a surface is trusted: coherence^coherence_power, by squaring, for libm's pow may differ
+/// from system to system.
+double trust(double coherence) {
+    static_assert(coherence_power == 16);
+    double power = coherence;
+    for (int exponent = 1; exponent < coherence_power; exponent *= 2) power *= power;
+    return power;
+}
+
+/// See model_surface_contact in the header.
+template <int Dim>
+Vector<Dim> blended(const Vector<Dim>& line, const Vector<Dim>& normal_a,
+                    const Vector<Dim>& normal_b) {
+    const double coherence_a = std::min(1.0, normal_a.norm());
+    const double coherence_b = std::min(1.0, normal_b.norm());
+    const double trust_a = trust(coherence_a);
+    const double trust_b = trust(coherence_b);
+    const double doubt = 1 - std::max(trust_a, trust_b);
+    if (doubt == 1) return line;
+    Vector<Dim> blend = doubt * doubt * line;
+    if (trust_a > 0) blend += trust_a / coherence_a * normal_a;
+    if (trust_b > 0) blend -= trust_b / coherence_b * normal_b;
+    const double length = blend.norm();
+    return length < least_blend ? line : Vector<Dim>(blend / length);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -41,9 +67,20 @@ std::optional<Contact<Dim>> model_contact(const Sphere<Dim>& a, const Sphere<Dim
     return contact;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                 \
+template <int Dim>
+std::optional<Contact<Dim>> model_surface_contact(const SurfaceNode<Dim>& a,
+                                                  const SurfaceNode<Dim>& b, PointModel model,
+                                                  const Vector<Dim>& fallback) {
+    std::optional<Contact<Dim>> contact = model_contact(a.ball, b.ball, model, fallback);
+    if (contact) contact->normal = blended<Dim>(contact->normal, a.mean_normal, b.mean_normal);
+    return contact;
+}
+
+#define LOD_INSTANTIATE(Dim)                                                                   \
     template std::optional<Contact<Dim>> model_contact(const Sphere<Dim>&, const Sphere<Dim>&, \
-                                                       PointModel, const Vector<Dim>&);
+                                                       PointModel, const Vector<Dim>&);        \
+    template std::optional<Contact<Dim>> model_surface_contact(                                \
+        const SurfaceNode<Dim>&, const SurfaceNode<Dim>&, PointModel, const Vector<Dim>&);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

@@ -20,6 +20,12 @@ enum class PointModel {
     plane_of_intersection,  ///< where the plane through the balls' intersection cuts the line
 };
 
+/// Where the normal of a contact comes from.
+enum class ContactModel {
+    centre_line,  ///< from A's centre to B's (paper, eq. 4)
+    node_normal,  ///< the surfaces that the two nodes stand for, as far as each is flat
+};
+
 /// Models the contact of two balls (paper, eqs. 4 and 5). Balls of different levels may meet.
 /// Returns nothing when they are apart.
 ///
@@ -32,5 +38,30 @@ template <int Dim>
 [[nodiscard]] std::optional<Contact<Dim>> model_contact(
     const Sphere<Dim>& a, const Sphere<Dim>& b, PointModel model = PointModel::radius_ratio,
     const Vector<Dim>& fallback = Vector<Dim>::Zero());
+
+/// A node that meets another: its ball, and the mean outward unit normal of the surface that it
+/// stands for, world frame. The normal's length, the coherence, is 1 on a flat face and near 0 on a
+/// corner; zero where nothing is known (SphereTree::normal).
+template <int Dim>
+struct SurfaceNode {
+    Sphere<Dim> ball;
+    Vector<Dim> mean_normal = Vector<Dim>::Zero();
+};
+
+/// Models the contact of two nodes by their surfaces (ContactModel::node_normal): point and depth
+/// are those of the two balls, the normal is along
+///     w_a n_a - w_b n_b + (1 - max(w_a, w_b))^2 l,   w = coherence^coherence_power,
+/// where n_a and n_b are the unit mean normals and l is the normal of the centre line. Nearly flat
+/// surfaces decide; where neither is flat the line does, and where nothing is known it is all.
+///
+/// Where the three cancel (two flat surfaces that face the same way, one body within the other) the
+/// centre line is used: when what is left of them is shorter than least_blend.
+template <int Dim>
+[[nodiscard]] std::optional<Contact<Dim>> model_surface_contact(
+    const SurfaceNode<Dim>& a, const SurfaceNode<Dim>& b,
+    PointModel model = PointModel::radius_ratio, const Vector<Dim>& fallback = Vector<Dim>::Zero());
+
+inline constexpr int coherence_power = 16;
+inline constexpr double least_blend = 1e-6;
 
 }  // namespace lod

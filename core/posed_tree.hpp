@@ -27,6 +27,12 @@ class PosedTree {
     /// Requires: the node was carried (the root is at once).
     [[nodiscard]] Sphere<Dim> sphere(int node) const;
 
+    /// The node's mean normal (SphereTree::normal), turned to the world frame each time it is asked
+    /// for: only the few nodes of a finished front need one. No node need be carried for it.
+    [[nodiscard]] Vector<Dim> mean_normal(int node) const {
+        return rotation_ * tree_->mean_normal(node);
+    }
+
     [[nodiscard]] const SphereTree<Dim>& tree() const { return *tree_; }
     /// Bound of all rounding between the pose and the verdict of a distance test, this body's share
     /// [m]: a test adds it to its reach, so that rounding never calls touching bodies apart.

@@ -116,10 +116,13 @@ TEMPLATE_TEST_CASE_SIG("a warm frame allocates nothing", "[allocation]", ((int D
     for (const Response response : {Response::net, Response::sum, Response::mean}) {
         FrameSettings settings;
         settings.response = response;
-        FrameStorage<Dim> storage;
-        CHECK(allocations_of(bodies, start, settings, storage, 30) > 0);
-        // The very same frames again, that is with every size met once before.
-        CHECK(allocations_of(bodies, start, settings, storage, 30) == 0);
+        for (const ContactModel model : {ContactModel::centre_line, ContactModel::node_normal}) {
+            settings.contact_model = model;
+            FrameStorage<Dim> storage;
+            CHECK(allocations_of(bodies, start, settings, storage, 30) > 0);
+            // The very same frames again, that is with every size met once before.
+            CHECK(allocations_of(bodies, start, settings, storage, 30) == 0);
+        }
     }
 }
 

@@ -130,3 +130,97 @@ TEMPLATE_TEST_CASE_SIG("huge and tiny balls have finite contacts", "[contact]", 
         CHECK(huge->normal == Vector<Dim>::Unit(0));
     }
 }
+
+namespace {
+
+/// A ball of radius 1 whose surface faces `normal`.
+template <int Dim>
+SurfaceNode<Dim> facing(const Vector<Dim>& centre, const Vector<Dim>& normal) {
+    return {{centre, 1.0}, normal};
+}
+
+/// A on the left, B on the right and a little higher: the centre line is (0.6, 0.8).
+template <int Dim>
+Vector<Dim> normal_of(const Vector<Dim>& normal_a, const Vector<Dim>& normal_b) {
+    const auto contact = model_surface_contact<Dim>(facing<Dim>(planar<Dim>(0, 0), normal_a),
+                                                    facing<Dim>(planar<Dim>(0.9, 1.2), normal_b));
+    REQUIRE(contact);
+    CHECK(contact->normal.norm() == Approx(1).epsilon(1e-15));
+    return contact->normal;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("a flat face decides the contact normal, whichever body has it", "[contact]",
+                       ((int Dim), Dim), 2, 3) {
+    const Vector<Dim> none = Vector<Dim>::Zero();
+    CHECK(normal_of<Dim>(planar<Dim>(1, 0), none) == planar<Dim>(1, 0));
+    CHECK(normal_of<Dim>(none, planar<Dim>(-1, 0)) == planar<Dim>(1, 0));
+    CHECK(normal_of<Dim>(planar<Dim>(1, 0), planar<Dim>(-1, 0)) == planar<Dim>(1, 0));
+    // A square's corner, 0.7071 coherent: 0.7071^16 = 1/256 beside a face's 1.
+    const Vector<Dim> corner = planar<Dim>(0.5, 0.5);
+    const Vector<Dim> expected = planar<Dim>(1 + std::sqrt(0.5) / 256, std::sqrt(0.5) / 256);
+    CHECK((normal_of<Dim>(corner, planar<Dim>(-1, 0)) - expected.normalized()).norm() < 1e-15);
+}
+
+TEMPLATE_TEST_CASE_SIG("where nothing is known of the surfaces the centre line is the normal",
+                       "[contact]", ((int Dim), Dim), 2, 3) {
+    const Vector<Dim> none = Vector<Dim>::Zero();
+    const Vector<Dim> line = planar<Dim>(0.6, 0.8);
+    CHECK((normal_of<Dim>(none, none) - line).norm() < 1e-15);
+    CHECK(
+        normal_of<Dim>(none, none) ==
+        model_contact<Dim>({planar<Dim>(0, 0), 1.0}, {planar<Dim>(0.9, 1.2), 1.0}).value().normal);
+    // What rounding leaves of a closed surface's mean normal says nothing.
+    CHECK(normal_of<Dim>(planar<Dim>(1e-17, 0), planar<Dim>(0, 1e-300)) ==
+          normal_of<Dim>(none, none));
+}
+
+TEMPLATE_TEST_CASE_SIG("between corner and face the normal blends the surfaces and the line",
+                       "[contact]", ((int Dim), Dim), 2, 3) {
+    // coherence 2^(-1/16): weight 1/2, so the line has (1 - 1/2)^2 = 1/4.
+    const double half = std::sqrt(std::sqrt(std::sqrt(std::sqrt(0.5))));
+    const Vector<Dim> of_one = normal_of<Dim>(planar<Dim>(half, 0), Vector<Dim>::Zero());
+    CHECK((of_one - planar<Dim>(0.5 + 0.15, 0.2).normalized()).norm() < 1e-14);
+    const Vector<Dim> of_both = normal_of<Dim>(planar<Dim>(half, 0), planar<Dim>(0, -half));
+    CHECK((of_both - planar<Dim>(0.5 + 0.15, 0.5 + 0.2).normalized()).norm() < 1e-14);
+}
+
+TEMPLATE_TEST_CASE_SIG("surfaces that face the same way leave the normal to the centre line",
+                       "[contact]", ((int Dim), Dim), 2, 3) {
+    const Vector<Dim> line = planar<Dim>(0.6, 0.8);
+    CHECK((normal_of<Dim>(planar<Dim>(0, 1), planar<Dim>(0, 1)) - line).norm() < 1e-15);
+    // Nor does rounding decide: a hair's difference is not a direction.
+    const Vector<Dim> turned = planar<Dim>(1e-9, 1).normalized();
+    CHECK((normal_of<Dim>(planar<Dim>(0, 1), turned) - line).norm() < 1e-15);
+}
+
+TEMPLATE_TEST_CASE_SIG("nodes with one centre still have the normal of their surfaces", "[contact]",
+                       ((int Dim), Dim), 2, 3) {
+    const auto at = facing<Dim>(planar<Dim>(1, 1), planar<Dim>(0, 1));
+    const auto both =
+        model_surface_contact<Dim>(at, facing<Dim>(planar<Dim>(1, 1), planar<Dim>(0, -1)));
+    REQUIRE(both);
+    CHECK(both->normal == planar<Dim>(0, 1));
+    CHECK(both->depth == 2);
+}
+
+TEMPLATE_TEST_CASE_SIG(
+    "by surfaces too, the normal turns round with A and B and point and depth stay", "[contact]",
+    ((int Dim), Dim), 2, 3) {
+    Random random(31);
+    for (int trial = 0; trial < 200; ++trial) {
+        const SurfaceNode<Dim> a{{random_vector<Dim>(random, 1), random.in(0.1, 2)},
+                                 random.in(0.8, 1) * random_unit<Dim>(random)};
+        const SurfaceNode<Dim> b{{random_vector<Dim>(random, 1), random.in(0.1, 2)},
+                                 random.in(0.8, 1) * random_unit<Dim>(random)};
+        const auto forward = model_surface_contact<Dim>(a, b);
+        const auto backward = model_surface_contact<Dim>(b, a);
+        const auto by_line = model_contact<Dim>(a.ball, b.ball);
+        REQUIRE(forward.has_value() == by_line.has_value());
+        if (!forward) continue;
+        CHECK((forward->normal + backward->normal).norm() < 1e-14);
+        CHECK(forward->point == by_line->point);
+        CHECK(forward->depth == by_line->depth);
+    }
+}

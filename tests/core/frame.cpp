@@ -82,6 +82,32 @@ TEMPLATE_TEST_CASE_SIG("a frame records every stage", "[frame]", ((int Dim), Dim
     CHECK(record.tests == tests);
 }
 
+TEMPLATE_TEST_CASE_SIG("a frame's contacts are those of the contact model that it was given",
+                       "[frame]", ((int Dim), Dim), 2, 3) {
+    const auto bodies = heap<Dim>(88);
+    FrameSettings settings;
+    for (const ContactModel model : {ContactModel::centre_line, ContactModel::node_normal}) {
+        settings.contact_model = model;
+        FrameStorage<Dim> storage;
+        Budget budget = Budget::unlimited();
+        const auto& record = detect<Dim>(bodies, settings, budget, storage);
+        REQUIRE(record.impacts.size() > 3);
+        for (std::size_t c = 0; c < record.impacts.size(); ++c) {
+            const auto a = static_cast<std::size_t>(record.impacts[c].a);
+            const auto b = static_cast<std::size_t>(record.impacts[c].b);
+            const PosedTree<Dim>& world_a = storage.world_S[a];
+            const PosedTree<Dim>& world_b = storage.world_S[b];
+            const auto [node_a, node_b] = record.node_pairs[c];
+            const SurfaceNode<Dim> surface_a{world_a.sphere(node_a), world_a.mean_normal(node_a)};
+            const SurfaceNode<Dim> surface_b{world_b.sphere(node_b), world_b.mean_normal(node_b)};
+            const auto expected = model == ContactModel::centre_line
+                                      ? model_contact<Dim>(surface_a.ball, surface_b.ball)
+                                      : model_surface_contact<Dim>(surface_a, surface_b);
+            CHECK(record.impacts[c].contact.normal == expected.value().normal);
+        }
+    }
+}
+
 TEMPLATE_TEST_CASE_SIG("detection changes no body", "[frame]", ((int Dim), Dim), 2, 3) {
     const auto bodies = heap<Dim>(82);
     const auto before = hash_of(bodies);

@@ -130,3 +130,20 @@ TEMPLATE_TEST_CASE_SIG("a posed tree may take over a larger tree and a smaller o
         }
     }
 }
+
+TEMPLATE_TEST_CASE_SIG("a node's mean normal turns with the body and keeps its length",
+                       "[posed_tree]", ((int Dim), Dim), 2, 3) {
+    Random random(23);
+    for (int trial = 0; trial < 50; ++trial) {
+        const Body<Dim> body = placed<Dim>(random, 50);
+        PosedTree<Dim> world;
+        world.pose(body);
+        for (int node = 0; node < body.tree->size(); ++node) {
+            const Vector<Dim> n = body.tree->mean_normal(node);
+            const Eigen::Matrix<Wide, Dim, 1> expected =
+                wide_rotation(body.orientation) * n.template cast<Wide>();
+            CHECK((world.mean_normal(node).template cast<Wide>() - expected).norm() < 1e-14L);
+            CHECK(world.mean_normal(node).norm() == Approx(n.norm()).epsilon(1e-13));
+        }
+    }
+}
