@@ -147,6 +147,7 @@ const Key<Scene> scene_table[] = {
     {"node_tests", "tests a frame", "no limit", [](const E& e, Scene& s, Reading&) { check_only_limit(e, s); s.limits.node_tests = static_cast<std::uint64_t>(integer(e, 0, 2'000'000'000)); }},
     {"milliseconds", "ms a frame", "no limit", [](const E& e, Scene& s, Reading&) { check_only_limit(e, s); s.limits.milliseconds = number(e, 0, 1e6); }},
     {"response", "", "net", [](const E& e, Scene& s, Reading&) { s.response = choice<lod::Response>(e, response_names); }},
+    {"contact_model", "", "centre_line", [](const E& e, Scene& s, Reading&) { s.contact_model = choice<lod::ContactModel>(e, contact_model_names); }},
     {"point_model", "", "radius_ratio", [](const E& e, Scene& s, Reading&) { s.point_model = choice<lod::PointModel>(e, point_model_names); }},
     {"priority", "", "closing_speed", [](const E& e, Scene& s, Reading&) { s.priority = choice<lod::Priority>(e, priority_names); }},
     {"restitution", "", "1", [](const E& e, Scene&, Reading& r) { r.defaults.restitution = number(e, 0, 1); }},

@@ -78,6 +78,7 @@ lod::FrameSettings frame_settings(const Scene& scene, const Limits& limits) {
     lod::FrameSettings settings;
     settings.time_step = scene.time_step;
     if (limits.level) settings.deepest_level = *limits.level;
+    settings.contact_model = scene.contact_model;
     settings.point_model = scene.point_model;
     settings.response = scene.response;
     settings.priority = scene.priority;

@@ -59,6 +59,7 @@ struct Scene {
     double duration = 2;           ///< [s]
     Limits limits;
     lod::Response response = lod::Response::net;
+    lod::ContactModel contact_model = lod::ContactModel::centre_line;
     lod::PointModel point_model = lod::PointModel::radius_ratio;
     lod::Priority priority = lod::Priority::closing_speed;
     std::optional<Camera> camera;  ///< nothing: pictures frame all that moves
@@ -89,6 +90,7 @@ struct KeyNote {
 /// Names of the choices, in the order of the enum: for keys, options and messages.
 inline constexpr std::array<std::string_view, 6> response_names{"net",        "sum", "mean",
                                                                 "sequential", "lcp", "reflections"};
+inline constexpr std::array<std::string_view, 2> contact_model_names{"centre_line", "node_normal"};
 inline constexpr std::array<std::string_view, 2> point_model_names{"radius_ratio",
                                                                    "plane_of_intersection"};
 inline constexpr std::array<std::string_view, 2> priority_names{"in_order", "closing_speed"};

@@ -106,11 +106,13 @@ Json pairs(const lod::FrameRecord<Dim>& record) {
 }
 
 Json settings_json(const lod::FrameSettings& settings) {
-    return {{"time_step", settings.time_step},
-            {"deepest_level", settings.deepest_level},
-            {"response", response_names[static_cast<std::size_t>(settings.response)]},
-            {"point_model", point_model_names[static_cast<std::size_t>(settings.point_model)]},
-            {"priority", priority_names[static_cast<std::size_t>(settings.priority)]}};
+    return {
+        {"time_step", settings.time_step},
+        {"deepest_level", settings.deepest_level},
+        {"response", response_names[static_cast<std::size_t>(settings.response)]},
+        {"contact_model", contact_model_names[static_cast<std::size_t>(settings.contact_model)]},
+        {"point_model", point_model_names[static_cast<std::size_t>(settings.point_model)]},
+        {"priority", priority_names[static_cast<std::size_t>(settings.priority)]}};
 }
 
 template <class Choice, std::size_t n>
@@ -126,6 +128,9 @@ lod::FrameSettings settings_from(const Json& json) {
     settings.time_step = json.at("time_step").get<double>();
     settings.deepest_level = json.at("deepest_level").get<int>();
     settings.response = choice<lod::Response>(json.at("response"), response_names);
+    if (json.contains("contact_model"))  // traces from before there was a choice have none
+        settings.contact_model =
+            choice<lod::ContactModel>(json.at("contact_model"), contact_model_names);
     settings.point_model = choice<lod::PointModel>(json.at("point_model"), point_model_names);
     settings.priority = choice<lod::Priority>(json.at("priority"), priority_names);
     if (!(settings.time_step > 0 && settings.time_step <= 1))

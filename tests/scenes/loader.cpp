@@ -39,6 +39,7 @@ time_step = 0.01
 duration = 1
 level = 3
 response = "mean"
+contact_model = "node_normal"
 point_model = "plane_of_intersection"
 priority = "in_order"
 restitution = 0.5
@@ -80,6 +81,7 @@ TEST_CASE("every key of the scene arrives in its field") {
     CHECK(scene.limits.level == 3);
     CHECK_FALSE(scene.limits.node_tests);
     CHECK(scene.response == lod::Response::mean);
+    CHECK(scene.contact_model == lod::ContactModel::node_normal);
     CHECK(scene.point_model == lod::PointModel::plane_of_intersection);
     CHECK(scene.priority == lod::Priority::in_order);
     REQUIRE(scene.camera);

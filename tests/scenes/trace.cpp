@@ -32,6 +32,7 @@ scenes::Run<2> budgeted_run() {
     options.frames = 500;
     options.settings.time_step = 1.0 / 240;
     options.settings.response = lod::Response::mean;
+    options.settings.contact_model = lod::ContactModel::node_normal;
     options.limits.node_tests = 20;
     return scenes::run(crossing(), options);
 }
@@ -58,6 +59,7 @@ TEST_CASE("a trace plays again to the same bits") {
     const scenes::Trace trace = scenes::read_trace(path);
     CHECK(trace.scene == "crossing");
     CHECK(trace.settings.response == lod::Response::mean);
+    CHECK(trace.settings.contact_model == lod::ContactModel::node_normal);
     CHECK(trace.settings.time_step == 1.0 / 240);
     REQUIRE(trace.cuts.size() == 500);
     const scenes::Run<2> again = scenes::replay<2>(trace, crossing(), {});
