@@ -10,6 +10,7 @@
 #include <string>
 
 #include "core/error.hpp"
+#include "core/trigonometry.hpp"
 
 namespace lod2d {
 namespace {
@@ -19,7 +20,8 @@ constexpr std::size_t most_corners = b2_maxPolygonVertices;
 constexpr float weld = 0.5f * b2_linearSlop;
 /// A piece must keep some area in single precision; Box2D asserts more than 1.2e-7.
 constexpr float least_area = 1e-5f;
-constexpr double most_dropped = 1e-3;  ///< share of a shape's area
+constexpr double most_dropped = 1e-3;    ///< share of a shape's area
+constexpr double same_direction = 1e-3;  ///< between two unit normals
 
 b2Vec2 to_box2d(const Point& p, double scale) {
     return {static_cast<float>(scale * p.x()), static_cast<float>(scale * p.y())};
@@ -46,7 +48,7 @@ struct Piece {
     }
 };
 
-/// Gives a body the shape's convex pieces; see run_to_impact for what is refused.
+/// Gives a body the shape's convex pieces; see run_box2d for what is refused.
 void add_fixtures(b2Body& body, const Shape& shape, double scale) {
     const ConvexParts parts = with_at_most(convex_parts(shape.polygon), most_corners);
     double held = 0;
@@ -102,15 +104,28 @@ class Listener final : public b2ContactListener {
         for (int i = 0; i < impulse->count; ++i) {
             const float j = impulse->normalImpulses[i];
             if (j <= 0) continue;
-            contacts.push_back({std::min(a, b), std::max(a, b),
-                                from_box2d(manifold.points[i], scale_),
-                                turn * from_box2d(manifold.normal, 1), j / scale_});
+            add({std::min(a, b), std::max(a, b), from_box2d(manifold.points[i], scale_),
+                 turn * from_box2d(manifold.normal, 1), j / scale_});
         }
     }
 
     std::vector<Box2dContact> contacts;
 
   private:
+    /// A corner where two pieces join is found once for each of them.
+    void add(const Box2dContact& contact) {
+        const auto same = [&](const Box2dContact& other) {
+            return other.a == contact.a && other.b == contact.b &&
+                   (other.point - contact.point).norm() * scale_ <= b2_linearSlop &&
+                   (other.normal - contact.normal).norm() <= same_direction;
+        };
+        const auto found = std::find_if(contacts.begin(), contacts.end(), same);
+        if (found == contacts.end())
+            contacts.push_back(contact);
+        else
+            found->impulse += contact.impulse;
+    }
+
     std::span<const lod::Body<2>> bodies_;
     double scale_;
     std::map<const b2Contact*, b2WorldManifold> manifolds_;
@@ -137,46 +152,112 @@ b2Body& add_body(b2World& world, const lod::Body<2>& body, const Shape& shape, s
     return made;
 }
 
-void read_pose(const b2Body& from, lod::Body<2>& to, double scale) {
-    to.position = from_box2d(from.GetPosition(), scale);
-    to.orientation = from.GetAngle();
-}
+/// The bodies in Box2D, stepped one time step at a time.
+class World {
+  public:
+    World(std::span<const lod::Body<2>> bodies, std::span<const Shape* const> shapes, double step,
+          const Box2dSettings& settings)
+        : now_(bodies.begin(), bodies.end()),
+          step_(step),
+          settings_(settings),
+          listener_(now_, settings.units_per_metre) {
+        world_.SetAllowSleeping(false);
+        world_.SetWarmStarting(false);
+        world_.SetContinuousPhysics(false);
+        world_.SetContactListener(&listener_);
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            made_.push_back(&add_body(world_, bodies[i], *shapes[i], i, settings.units_per_metre));
+    }
 
-void read_velocity(const b2Body& from, lod::Body<2>& to, double scale) {
-    to.velocity = from_box2d(from.GetLinearVelocity(), scale);
-    to.spin[0] = from.GetAngularVelocity();
-}
+    [[nodiscard]] const std::vector<lod::Body<2>>& now() const { return now_; }
+
+    /// One step. What it did happened at the instant at which it began.
+    Box2dImpact step() {
+        lod::check_interrupted();
+        check_speeds();
+        Box2dImpact impact;
+        impact.before = now_;
+        listener_.contacts.clear();
+        constexpr int no_position_iterations = 0;  // velocities are what is compared
+        world_.Step(static_cast<float>(step_), settings_.velocity_iterations,
+                    no_position_iterations);
+        for (std::size_t i = 0; i < made_.size(); ++i) read(*made_[i], now_[i]);
+        impact.contacts = std::move(listener_.contacts);
+        impact.happened = !impact.contacts.empty();
+        impact.after = impact.before;
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            impact.after[i].velocity = now_[i].velocity;
+            impact.after[i].spin = now_[i].spin;
+        }
+        return impact;
+    }
+
+  private:
+    void read(const b2Body& from, lod::Body<2>& to) const {
+        if (to.is_static()) return;
+        to.position = from_box2d(from.GetPosition(), settings_.units_per_metre);
+        to.orientation = lod::wrapped_angle(from.GetAngle());
+        to.velocity = from_box2d(from.GetLinearVelocity(), settings_.units_per_metre);
+        to.spin[0] = from.GetAngularVelocity();
+    }
+
+    /// Box2D shortens, without a word, a step that goes too far.
+    void check_speeds() const {
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            const double way = now_[i].velocity.norm() * step_ * settings_.units_per_metre;
+            const double turn = std::abs(now_[i].spin[0]) * step_;
+            if (way < double{b2_maxTranslation} && turn < double{b2_maxRotation}) continue;
+            throw lod::Error(lod::ErrorKind::limit_exceeded,
+                             "body number " + std::to_string(i + 1) + " moves " +
+                                 std::to_string(way) + " units and turns " + std::to_string(turn) +
+                                 " rad in one step of Box2D, which allows 2 and 1.57; shorten its "
+                                 "time step (now " +
+                                 std::to_string(step_) + " s)");
+        }
+    }
+
+    std::vector<lod::Body<2>> now_;
+    double step_;
+    Box2dSettings settings_;
+    Listener listener_;
+    b2World world_{{0, 0}};
+    std::vector<b2Body*> made_;
+};
 
 }  // namespace
 
+Box2dRun run_box2d(std::span<const lod::Body<2>> bodies, std::span<const Shape* const> shapes,
+                   std::int64_t frames, double frame_step, const Box2dSettings& settings,
+                   const std::function<void(double share)>& progress) {
+    constexpr double rounding = 1e-9;
+    const double steps = std::max(1.0, std::ceil(frame_step / settings.time_step - rounding));
+    World world(bodies, shapes, frame_step / steps, settings);
+    Box2dRun run;
+    run.frame_step = frame_step;
+    run.frames.push_back(world.now());
+    for (std::int64_t frame = 0; frame < frames; ++frame) {
+        for (double step = 0; step < steps; ++step) {
+            Box2dImpact impact = world.step();
+            if (!impact.happened) continue;
+            impact.time = (static_cast<double>(frame) + step / steps) * frame_step;
+            run.impacts.push_back(std::move(impact));
+        }
+        run.frames.push_back(world.now());
+        if (progress) progress(static_cast<double>(frame + 1) / static_cast<double>(frames));
+    }
+    return run;
+}
+
 Box2dImpact run_to_impact(std::span<const lod::Body<2>> bodies,
                           std::span<const Shape* const> shapes, const Box2dSettings& settings) {
-    const double scale = settings.units_per_metre;
-    b2World world({0, 0});
-    world.SetAllowSleeping(false);
-    Listener listener(bodies, scale);
-    world.SetContactListener(&listener);
-    std::vector<b2Body*> made;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        made.push_back(&add_body(world, bodies[i], *shapes[i], i, scale));
-
+    World world(bodies, shapes, settings.time_step, settings);
     Box2dImpact impact;
     impact.before.assign(bodies.begin(), bodies.end());
     for (int step = 0; step < settings.most_steps && !impact.happened; ++step) {
-        lod::check_interrupted();
+        impact = world.step();
         impact.time = step * settings.time_step;
-        for (std::size_t i = 0; i < made.size(); ++i) {
-            read_pose(*made[i], impact.before[i], scale);
-            read_velocity(*made[i], impact.before[i], scale);
-        }
-        constexpr int no_position_iterations = 0;  // velocities are what is compared
-        world.Step(static_cast<float>(settings.time_step), settings.velocity_iterations,
-                   no_position_iterations);
-        impact.happened = !listener.contacts.empty();
     }
-    impact.after = impact.before;
-    for (std::size_t i = 0; i < made.size(); ++i) read_velocity(*made[i], impact.after[i], scale);
-    impact.contacts = std::move(listener.contacts);
+    if (!impact.happened) impact.before = impact.after = world.now();
     return impact;
 }
 

@@ -166,3 +166,88 @@ TEST_CASE("from Box2D's own contact lodlab finds the same velocities", "[box2d]"
     }
     CHECK(compared >= 2);
 }
+
+namespace {
+
+/// A unit box between two walls with 1 m to go on either side, at 2 m/s.
+struct Corridor {
+    Shape box = generate("box:1,1");
+    Shape wall = generate("box:1,3");
+    std::vector<lod::Body<2>> bodies{body_of(box, 1, {0, 0}, {2, 0}),
+                                     body_of(wall, 1, {-2, 0}, {0, 0}),
+                                     body_of(wall, 1, {2, 0}, {0, 0})};
+    const Shape* shapes[3] = {&box, &wall, &wall};
+
+    Corridor() {
+        lod::make_static(bodies[1]);
+        lod::make_static(bodies[2]);
+    }
+};
+
+}  // namespace
+
+TEST_CASE("a run in Box2D passes its frames at their times and lists every impact", "[box2d]") {
+    const Corridor corridor;
+    const Box2dRun run = run_box2d(corridor.bodies, corridor.shapes, 960, 1.0 / 240);
+    REQUIRE(run.frames.size() == 961);
+    // Skins of 0.01 units a metre/16 each shorten the way; a step is 2/960 m long and may start
+    // an impact by that much late.
+    const double skins = 0.02 / 16;
+    const double step = 2.0 / 960;
+    REQUIRE(run.impacts.size() == 4);  // after 1 m, then every 2 m
+    for (std::size_t k = 0; k < run.impacts.size(); ++k) {
+        const Box2dImpact& impact = run.impacts[k];
+        const double sign = k % 2 == 0 ? 1 : -1;
+        const double way = 1 + 2 * static_cast<double>(k);
+        INFO("impact " << k << " at " << impact.time << " s");
+        CHECK(2 * impact.time <= way + (step - skins) * static_cast<double>(k + 1) + 1e-5);
+        CHECK(2 * impact.time >= way - 2 * (skins + step) * static_cast<double>(k + 1));
+        CHECK(impact.before[0].velocity.x() == Approx(2 * sign).epsilon(single));
+        CHECK(impact.after[0].velocity.x() == Approx(-2 * sign).epsilon(single));
+        CHECK(impact.after[0].position == impact.before[0].position);
+        for (const Box2dContact& contact : impact.contacts) {
+            CHECK(contact.a == 0);
+            CHECK(contact.b == (k % 2 == 0 ? 2 : 1));
+            CHECK(contact.normal.x() == Approx(sign).epsilon(single));
+        }
+    }
+    // Before the first impact the box is where free motion brings it.
+    CHECK(run.frames[0][0].position.x() == 0);
+    CHECK(run.frames[40][0].position.x() == Approx(2 * 40 / 240.0).epsilon(1e-5));
+    CHECK(run.frames.back()[1].position == corridor.bodies[1].position);
+}
+
+TEST_CASE("frames longer than a step of Box2D are cut into equal steps", "[box2d]") {
+    const Corridor corridor;
+    Box2dSettings settings;
+    settings.time_step = 1.0 / 500;  // 0.01 s are 5 of them, 0.011 s are 6 shorter ones
+    for (const double frame : {0.01, 0.011}) {
+        const Box2dRun run = run_box2d(corridor.bodies, corridor.shapes, 30, frame, settings);
+        CHECK(run.frame_step == frame);
+        CHECK(run.frames[20][0].position.x() == Approx(2 * 20 * frame).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("a body too fast for a step of Box2D is refused with the mend", "[box2d]") {
+    Corridor corridor;
+    corridor.bodies[0].velocity = {200, 0};  // 3.3 units a step; Box2D would move 2
+    CHECK_THROWS_WITH(run_box2d(corridor.bodies, corridor.shapes, 1, 1.0 / 240),
+                      Catch::Contains("shorten its time step"));
+    corridor.bodies[0].velocity = {0, 0};
+    corridor.bodies[0].spin[0] = 2000;
+    CHECK_THROWS_AS(run_box2d(corridor.bodies, corridor.shapes, 1, 1.0 / 240), lod::Error);
+}
+
+TEST_CASE("a corner that two convex pieces share touches once", "[box2d]") {
+    // The tip of the star points at the box; its convex pieces meet along lines through tips.
+    const Shape star = generate("star:5");
+    const Shape wall = generate("box:1,3");
+    for (const double angle : {0.0, 0.3, 0.7, 1.1}) {
+        std::vector<lod::Body<2>> bodies{body_of(star, 1, {0, 0.1}, {1, 0}, angle, 0.1),
+                                         body_of(wall, 1, {2, 0}, {0, 0})};
+        const Shape* const shapes[] = {&star, &wall};
+        const Box2dImpact impact = run_to_impact(bodies, shapes);
+        REQUIRE(impact.happened);
+        CHECK(impact.contacts.size() == 1);
+    }
+}
