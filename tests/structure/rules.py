@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-LIBRARIES = ["core", "io", "lod2d", "lod3d", "scenes", "viz", "lessons", "cli"]
+LIBRARIES = ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons", "cli"]
 
 # Includes run one way: a folder may include itself and these.
 MAY_INCLUDE = {
@@ -17,10 +17,11 @@ MAY_INCLUDE = {
     "lod2d": ["core", "io"],
     "lod3d": ["core", "io"],
     "scenes": ["core", "io", "lod2d", "lod3d"],
+    "measure": ["core", "io", "lod2d", "lod3d", "scenes"],
     "viz": ["core", "io", "lod2d", "lod3d"],
-    "lessons": ["core", "io", "lod2d", "lod3d", "scenes", "viz"],
-    "cli": ["core", "io", "lod2d", "lod3d", "scenes", "viz", "lessons"],
-    "examples": ["core", "io", "lod2d", "lod3d", "scenes", "viz", "lessons"],
+    "lessons": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz"],
+    "cli": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons"],
+    "examples": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons"],
     "tests": LIBRARIES,
     "bench": LIBRARIES,
 }

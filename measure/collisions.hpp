@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/body.hpp"
+#include "lod2d/box2d_reference.hpp"
+#include "scenes/run.hpp"
+
+namespace measure {
+
+/// What is asked of the true shapes of a scene's bodies.
+template <int Dim>
+class Shapes {
+  public:
+    virtual ~Shapes() = default;
+    /// Diameter of the ball about the centre of mass that holds the shape of a body [m], > 0.
+    [[nodiscard]] virtual double size(int body) const = 0;
+    /// Between the shapes of bodies a and b where these states bring them [m]; where they overlap,
+    /// minus how deep the deepest corner of one lies within the other.
+    [[nodiscard]] virtual double separation(int a, const lod::Body<Dim>& state_a, int b,
+                                            const lod::Body<Dim>& state_b) const = 0;
+};
+
+/// A collision as an observer sees it: two bodies are pushed apart, in one frame or in several that
+/// follow each other closely.
+template <int Dim>
+struct Collision {
+    int a = 0;         ///< index of body A
+    int b = 0;         ///< index of body B, above a
+    double time = 0;   ///< of the first push [s]
+    double until = 0;  ///< of the last push [s]
+    double gap = 0;    ///< between the shapes at the first push, 0 where they touch [m]
+    /// How deep the shapes lie in each other at the worst of its pushes [m], >= 0.
+    double penetration = 0;
+    std::array<lod::Body<Dim>, 2> before;  ///< A and B at the first push, before it
+    std::array<lod::Body<Dim>, 2> after;   ///< A and B where the last push found them, after it
+};
+
+/// Pushes of one pair that follow each other within so long are one collision [s]: three pictures
+/// of a 60 Hz screen, which an observer does not take apart. Ours, not a published value.
+inline constexpr double one_collision = 0.05;
+
+/// Puts the pushes of a run together to collisions.
+template <int Dim>
+class CollisionLog {
+  public:
+    /// `shapes` must outlive the log. Requires pause >= 0.
+    explicit CollisionLog(const Shapes<Dim>& shapes, double pause = one_collision)
+        : shapes_(shapes), pause_(pause) {}
+
+    /// One push, none before an earlier one; states of all bodies at that instant. Requires a != b.
+    void add(double time, int a, int b, std::span<const lod::Body<Dim>> before,
+             std::span<const lod::Body<Dim>> after);
+    /// In order of their first pushes.
+    [[nodiscard]] const std::vector<Collision<Dim>>& collisions() const { return collisions_; }
+
+  private:
+    const Shapes<Dim>& shapes_;
+    double pause_;
+    std::vector<Collision<Dim>> collisions_;
+};
+
+/// The collisions of a run by lodlab, the bodies as they were at its start (for their masses). In
+/// space the velocity after a push is that of the next frame's beginning, which for a tumbling body
+/// differs by the free motion of one frame.
+template <int Dim>
+[[nodiscard]] std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
+                                                        std::span<const lod::Body<Dim>> bodies,
+                                                        const Shapes<Dim>& shapes,
+                                                        double pause = one_collision);
+
+/// The same of a run by Box2D.
+[[nodiscard]] std::vector<Collision<2>> collisions_of(const lod2d::Box2dRun& run,
+                                                      const Shapes<2>& shapes,
+                                                      double pause = one_collision);
+
+/// Which collisions of two runs are the same event.
+struct Matching {
+    struct Pair {
+        int reference = 0;  ///< index into the reference's collisions
+        int seen = 0;       ///< index into the other's
+    };
+    std::vector<Pair> pairs;   ///< by reference
+    std::vector<int> missing;  ///< only in the reference
+    std::vector<int> extra;    ///< only in the other
+};
+
+/// For each two bodies, the pairing of their collisions in both runs that keeps their order and
+/// costs least: a pair costs the time between the two, a collision left alone half the window. So
+/// nothing is paired that lies further apart than the window [s], and swapping the runs swaps
+/// missing and extra. Both lists in order of time.
+template <int Dim>
+[[nodiscard]] Matching match(std::span<const Collision<Dim>> reference,
+                             std::span<const Collision<Dim>> seen, double window);
+
+}  // namespace measure
