@@ -89,7 +89,8 @@ std::vector<Point> normals_of_sides(const Mesh& mesh, const std::vector<Point>& 
 
 }  // namespace
 
-MeshDistance::MeshDistance(const Mesh& mesh, InsideRule rule) : tree_(mesh), rule_(rule) {
+MeshDistance::MeshDistance(const Mesh& mesh, InsideRule rule)
+    : tree_(mesh), wide_(tree_), rule_(rule) {
     if (rule_ == InsideRule::nearest_normal) find_normals(mesh);
     find_dipoles();
 }
@@ -148,48 +149,81 @@ void MeshDistance::find_dipoles() {
     }
 }
 
-Nearest MeshDistance::nearest(const Point& p, double within) const {
+MeshDistance::Found MeshDistance::find(const Point& p, double within, double enough) const {
     struct Waiting {
-        std::int32_t node;
-        double squared;
+        float squared;
+        std::int32_t first;
+        std::int32_t count;
     };
-    std::array<Waiting, TriangleTree::deepest> stack;
+    std::array<Waiting, WideTree::width * TriangleTree::deepest> stack;
     std::size_t waiting = 0;
-    double least = within * within;
-    Nearest result;
-    std::int32_t found = -1;
-    Feature feature = face;
-    stack[waiting++] = {0, squared_distance(tree_.node(0), p)};
+    Found found;
+    found.squared = within * within;
+    float least = wide_.squared(found.squared);
+    const Eigen::Array3f place = wide_.place(p);
+    stack[waiting++] = {0, 0, 0};
     while (waiting > 0) {
         const Waiting next = stack[--waiting];
-        if (next.squared >= least) continue;
-        const TriangleTree::Node& node = tree_.node(next.node);
-        for (std::int32_t t = node.first; t < node.first + node.count; ++t) {
+        if (next.squared > least) continue;
+        for (std::int32_t t = next.first; t < next.first + next.count; ++t) {
             const OnTriangle at = nearest_on(tree_.corners(t), p);
             const double squared = (p - at.point).squaredNorm();
-            if (squared >= least) continue;
-            least = squared;
-            result.point = at.point;
-            found = t;
-            feature = at.feature;
+            if (squared >= found.squared) continue;
+            found = {at.point, squared, t, at.feature};
+            if (squared <= enough) return found;
+            least = wide_.squared(squared);
         }
-        if (node.is_leaf()) continue;
-        Waiting near{next.node + 1, squared_distance(tree_.node(next.node + 1), p)};
-        Waiting far{node.first, squared_distance(tree_.node(node.first), p)};
-        if (far.squared < near.squared) std::swap(near, far);
-        if (far.squared < least) stack[waiting++] = far;
-        if (near.squared < least) stack[waiting++] = near;
+        if (next.count > 0) continue;
+        const WideTree::Node& node = wide_.node(next.first);
+        const Eigen::Array4f squared = WideTree::squared_distances(node, place);
+        const std::size_t bottom = waiting;  // the nearest on top
+        for (std::size_t i = 0; i < WideTree::width; ++i) {
+            const Waiting child{squared[static_cast<Eigen::Index>(i)], node.first[i],
+                                node.count[i]};
+            if (!(child.squared <= least)) continue;
+            std::size_t at = waiting++;
+            for (; at > bottom && stack[at - 1].squared < child.squared; --at)
+                stack[at] = stack[at - 1];
+            stack[at] = child;
+        }
     }
-    if (found < 0) return result;
-    result.distance = std::sqrt(least);
-    result.triangle = tree_.triangle(found);
-    if (!normals_.empty()) result.normal = normals_[static_cast<std::size_t>(found)].of[feature];
+    return found;
+}
+
+Nearest MeshDistance::nearest(const Point& p, double within) const {
+    return result_of(find(p, within, 0));
+}
+
+Nearest MeshDistance::result_of(const Found& found) const {
+    Nearest result;
+    if (found.number < 0) return result;
+    result.point = found.point;
+    result.distance = std::sqrt(found.squared);
+    result.triangle = tree_.triangle(found.number);
+    if (!normals_.empty())
+        result.normal = normals_[static_cast<std::size_t>(found.number)].of[found.feature];
     return result;
 }
 
 double MeshDistance::signed_distance(const Point& p) const {
     const Nearest at = nearest(p);
     return is_inside(p, at) ? -at.distance : at.distance;
+}
+
+double MeshDistance::signed_distance_below(const Point& p, double limit) const {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Found found = find(p, infinity, limit < 0 ? limit * limit : 0);
+    if (limit < 0 && found.squared <= limit * limit) return infinity;
+    const Nearest at = result_of(found);
+    const double distance = is_inside(p, at) ? -at.distance : at.distance;
+    return distance < limit ? distance : infinity;
+}
+
+double MeshDistance::distance_above(const Point& p, double floor) const {
+    const Found found =
+        find(p, std::numeric_limits<double>::infinity(), floor > 0 ? floor * floor : 0);
+    const Nearest at = result_of(found);
+    return at.distance <= floor || is_inside(p, at) ? 0 : at.distance;
 }
 
 double MeshDistance::winding_number(const Point& p) const {

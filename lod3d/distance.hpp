@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "lod3d/triangle_tree.hpp"
+#include "lod3d/wide_tree.hpp"
 
 namespace lod3d {
 
@@ -44,10 +44,17 @@ class MeshDistance {
     /// Distance from the surface, negative inside [m].
     [[nodiscard]] double signed_distance(const Point& p) const;
 
+    /// The same where it is less than the limit; else infinity. Ends at the first triangle that
+    /// shows the latter, so that to refuse a point costs little.
+    [[nodiscard]] double signed_distance_below(const Point& p, double limit) const;
+
     /// Distance from the solid, 0 inside [m].
     [[nodiscard]] double distance(const Point& p) const {
         return std::max(signed_distance(p), 0.0);
     }
+    /// The same where it is more than the floor; else 0. Ends at the first triangle that shows the
+    /// latter.
+    [[nodiscard]] double distance_above(const Point& p, double floor) const;
 
     /// How often the surface winds around a point: a whole number off a closed surface. Far groups
     /// of triangles count as dipoles (Barill et al. 2018), which errs by less than 0.1.
@@ -67,10 +74,23 @@ class MeshDistance {
         std::array<Point, 7> of;
     };
 
+    /// A point of the surface on the way to the nearest one.
+    struct Found {
+        Point point = Point::Zero();
+        double squared = 0;        ///< distance [m^2]
+        std::int32_t number = -1;  ///< of the triangle, in the order of the leaves
+        std::size_t feature = 0;   ///< into Normals::of
+    };
+    /// The nearest point of the surface closer than `within` [m], or the first one met whose
+    /// squared distance is at most `enough` [m^2].
+    [[nodiscard]] Found find(const Point& p, double within, double enough) const;
+    [[nodiscard]] Nearest result_of(const Found& found) const;
+
     void find_normals(const Mesh& mesh);
     void find_dipoles();
 
     TriangleTree tree_;
+    WideTree wide_;
     InsideRule rule_;
     std::vector<Normals> normals_;  ///< in the order of the leaves; empty for the winding rule
     std::vector<Dipole> dipoles_;   ///< of each node
