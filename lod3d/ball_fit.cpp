@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/builder/protrusion.hpp"
+#include "core/builder/least_excess.hpp"
 
 namespace lod3d {
 namespace {
@@ -74,78 +74,11 @@ std::vector<Point> outermost(std::span<const Point> vertices) {
     return found;
 }
 
-/// R(x) - depth(x), to be made least.
-class Excess {
-  public:
-    Excess(const MeshDistance& distance, std::span<const Point> vertices)
-        : distance_(distance), vertices_(vertices), outer_(outermost(vertices)) {}
-
-    /// Walks downhill from x, as if only the outer vertices were there; each that turns out to be
-    /// missing joins them, and the walk goes on.
-    Point least_near(Point x, double step, double least_step) {
-        constexpr int most_joins = 12;
-        for (int join = 0; join < most_joins; ++join) {
-            x = walk(x, step, least_step);
-            const Point& missing = farthest(x);
-            if ((missing - x).norm() <= radius(x) * (1 + 1e-9)) break;
-            outer_.push_back(missing);
-            step = std::max(step / 2, 16 * least_step);
-        }
-        return x;
-    }
-
-    [[nodiscard]] double at(const Point& x) const {
-        return radius(x) + distance_.signed_distance(x);
-    }
-
-  private:
-    [[nodiscard]] double radius(const Point& x) const {
-        return lod::farthest_distance<3>(x, outer_);
-    }
-    [[nodiscard]] const Point& farthest(const Point& x) const {
-        return *std::max_element(vertices_.begin(), vertices_.end(),
-                                 [&](const Point& p, const Point& q) {
-                                     return (p - x).squaredNorm() < (q - x).squaredNorm();
-                                 });
-    }
-
-    /// Compass search along fourteen ways; a step that finds nothing is halved.
-    Point walk(Point best, double step, double least_step) const {
-        static const std::array<Point, 14> ways = [] {
-            const double s = std::sqrt(1.0 / 3);
-            return std::array<Point, 14>{Point(1, 0, 0),   Point(-1, 0, 0),  Point(0, 1, 0),
-                                         Point(0, -1, 0),  Point(0, 0, 1),   Point(0, 0, -1),
-                                         Point(s, s, s),   Point(-s, s, s),  Point(s, -s, s),
-                                         Point(s, s, -s),  Point(-s, -s, s), Point(-s, s, -s),
-                                         Point(s, -s, -s), Point(-s, -s, -s)};
-        }();
-        double least = at(best);
-        double depth = radius(best) - least;
-        while (step > least_step && least > 0) {
-            Point next = best;
-            for (const Point& way : ways) {
-                const Point x = best + step * way;
-                // Depth changes by no more than one moves.
-                if (radius(x) - depth - step >= least) continue;
-                const double value = at(x);
-                if (value >= least) continue;
-                least = value;
-                next = x;
-            }
-            if (next == best) {
-                step /= 2;
-            } else {
-                best = next;
-                depth = radius(best) - least;
-            }
-        }
-        return best;
-    }
-
-    const MeshDistance& distance_;
-    std::span<const Point> vertices_;
-    std::vector<Point> outer_;
-};
+const Point& farthest_from(const Point& x, std::span<const Point> points) {
+    return *std::max_element(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+        return (p - x).squaredNorm() < (q - x).squaredNorm();
+    });
+}
 
 }  // namespace
 
@@ -171,51 +104,86 @@ std::vector<Point> spread_points(const MeshPiece& piece, const MeshDistance& dis
     return points;
 }
 
+namespace {
+
+/// From the place, so that the order of the pieces does not matter.
+std::uint64_t seed_at(const Point& place) {
+    std::uint64_t seed = 0;
+    for (int d = 0; d < 3; ++d) {
+        std::uint64_t bits = 0;
+        std::memcpy(&bits, &place[d], sizeof bits);
+        seed = seed * 31 + bits;
+    }
+    return seed;
+}
+
+std::vector<std::vector<lod::Sphere<3>>> balls_of(std::vector<lod::PointCover<3>>&& covers) {
+    std::vector<std::vector<lod::Sphere<3>>> balls;
+    for (auto& cover : covers) balls.push_back(std::move(cover.balls));
+    return balls;
+}
+
+}  // namespace
+
 std::vector<std::vector<lod::Sphere<3>>> BallFit::starts(const MeshPiece& piece,
                                                          const lod::Sphere<3>& ball, int count,
                                                          int levels_after) const {
     const double size = lod::enclosing_ball<3>(piece.vertices()).radius;
     const std::vector<Point> points = spread_points(piece, distance_, settings_.spacing * size);
-    std::uint64_t seed = 0;  // of the place, so that the order of the pieces does not matter
-    for (int d = 0; d < 3; ++d) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &ball.centre[d], sizeof bits);
-        seed = seed * 31 + bits;
-    }
+    const std::uint64_t seed = seed_at(ball.centre);
     lod::CoverSettings settings = settings_.quick;
     settings.count = count;
     auto quick = lod::cover_points<3>(field_, points, size, seed, settings);
     const double parent = lod::protrusion_bound<3>(distance_, ball);
     const bool easy = quick.front().protrusion <= settings_.easy_share * parent;
     const bool high_up = levels_after > 1 || parent > 0.6 * ball.radius;  // much depends on it
-    if (easy && !high_up) return {std::move(quick.front().balls)};
+    if (easy && !high_up) return balls_of(std::move(quick));
     settings = settings_.thorough;
     settings.count = count;
-    if (levels_after > 0) {
-        if (high_up) settings.foresight_starts *= 4;
-        auto cover = lod::cover_with_foresight<3>(field_, points, size, seed, settings);
-        return {std::move(cover.balls)};
-    }
-    settings.starts *= 4;  // the last chance, for few pieces
-    std::vector<std::vector<lod::Sphere<3>>> result;
-    for (auto& cover : lod::cover_points<3>(field_, points, size, seed, settings))
-        result.push_back(std::move(cover.balls));
-    return result;
+    if (levels_after == 0)
+        return balls_of(lod::cover_points<3>(field_, points, size, seed, settings));
+    if (high_up) settings.foresight_starts *= 4;
+    auto cover = lod::cover_with_foresight<3>(field_, points, size, seed, settings);
+    return {std::move(cover.balls)};
+}
+
+std::vector<std::vector<lod::Sphere<3>>> BallFit::more_starts(const MeshPiece& piece,
+                                                              const lod::Sphere<3>& ball, int count,
+                                                              int attempt) const {
+    const double size = lod::enclosing_ball<3>(piece.vertices()).radius;
+    const std::vector<Point> points = spread_points(piece, distance_, settings_.spacing * size);
+    lod::CoverSettings settings = settings_.thorough;
+    settings.count = count;
+    settings.starts *= 2;
+    const std::uint64_t seed = seed_at(ball.centre) + static_cast<std::uint64_t>(attempt);
+    return balls_of(lod::cover_points<3>(field_, points, size, seed, settings));
 }
 
 lod::Sphere<3> BallFit::fit(const MeshPiece& piece, const lod::Sphere<3>& start) const {
-    const lod::Sphere<3> least = lod::enclosing_ball<3>(piece.vertices());
-    Excess excess(distance_, piece.vertices());
-    const Point from =
-        excess.at(start.centre) < excess.at(least.centre) ? start.centre : least.centre;
-    const Point centre = excess.least_near(from, least.radius / 8, least.radius * 1e-3);
-    return {centre, lod::farthest_distance<3>(centre, piece.vertices()) + spare_};
+    constexpr int most_joins = 12;
+    const std::span<const Point> vertices = piece.vertices();
+    const lod::Sphere<3> least = lod::enclosing_ball<3>(vertices);
+    // Walks as if only the outer vertices were there; each that turns out to be missing joins them,
+    // and the walk goes on.
+    std::vector<Point> outer = outermost(vertices);
+    Point centre = lod::excess<3>(distance_, outer, start.centre) <
+                           lod::excess<3>(distance_, outer, least.centre)
+                       ? start.centre
+                       : least.centre;
+    lod::ExcessWalk walk{.step = least.radius / 8, .least_step = least.radius * 1e-3, .enough = 0};
+    for (int join = 0; join < most_joins; ++join) {
+        centre = lod::least_excess_near<3>(distance_, outer, centre, walk);
+        const Point& missing = farthest_from(centre, vertices);
+        if ((missing - centre).norm() <= lod::farthest_distance<3>(centre, outer) * (1 + 1e-9))
+            break;
+        outer.push_back(missing);
+        walk.step = std::max(walk.step / 2, 16 * walk.least_step);
+    }
+    return {centre, lod::farthest_distance<3>(centre, vertices) + spare_};
 }
 
 double BallFit::protrusion(const lod::Sphere<3>& ball) const {
-    const double bound = lod::protrusion_bound<3>(distance_, ball);
-    if (bound <= 4 * spare_) return bound;
-    return lod::find_protrusion<3>(distance_, std::span(&ball, 1), bound / 20, 5000).most;
+    return lod::protrusion_from_above<3>(distance_, ball, spare_, 5000);
 }
 
 }  // namespace lod3d

@@ -38,6 +38,12 @@ class BallFit {
         return starts(piece, ball, count, 0);
     }
 
+    /// Covers of the same points from other random starts.
+    [[nodiscard]] std::vector<std::vector<lod::Sphere<3>>> more_starts(const MeshPiece& piece,
+                                                                       const lod::Sphere<3>& ball,
+                                                                       int count,
+                                                                       int attempt) const;
+
     /// A ball that holds the piece's vertices. Of the starting ball's centre and the centre of the
     /// least enclosing ball it takes the better and walks downhill: about a centre x the ball needs
     /// the radius R(x), the farthest vertex, and stands out by R(x) - depth(x) at most.

@@ -79,7 +79,7 @@ class ProtrusionSearch {
         const Sphere<Dim>& b = balls_[ball];
         const Vector<Dim> nearest = shape_.nearest(b.centre).point;
         const Vector<Dim> out = depth_[ball] >= 0 ? nearest - b.centre : b.centre - nearest;
-        if (out.norm() > 0) distance_at(b.centre + b.radius * out.stableNormalized());
+        if (out.norm() > 0) distance_at(b.centre + b.radius * out.stableNormalized(), found_.least);
         add(b.centre, b.radius, ball, b.radius - depth_[ball]);
     }
 
@@ -103,18 +103,26 @@ class ProtrusionSearch {
         // Projecting on the ball moves no point of the ball away from the cell's centre.
         const Vector<Dim> probe =
             off <= b.radius ? centre : Vector<Dim>(b.centre + (b.radius / off) * arm);
-        most = std::min(most, distance_at(probe) + corner);
+        most = std::min(most, distance_at(probe, found_.least - corner) + corner);
         if (most > found_.least) cells_.push({most, centre, half, ball});
     }
 
-    double distance_at(const Vector<Dim>& p) {
+    /// The distance where it is more than the floor; anything up to the floor elsewhere.
+    double distance_at(const Vector<Dim>& p, double floor) {
         ++queries_;
-        const double distance = shape_.distance(p);
+        const double distance = distance_above(p, floor);
         if (distance > found_.least) {
             found_.least = distance;
             found_.at = p;
         }
         return distance;
+    }
+
+    [[nodiscard]] double distance_above(const Vector<Dim>& p, double floor) const {
+        if constexpr (requires { shape_.distance_above(p, floor); })
+            return shape_.distance_above(p, floor);
+        else
+            return shape_.distance(p);
     }
 
     const Distance& shape_;
@@ -134,6 +142,16 @@ template <int Dim, DistanceFrom<Dim> Distance>
                                               std::span<const Sphere<Dim>> balls, double tolerance,
                                               int most_queries = 2'000'000) {
     return detail::ProtrusionSearch<Dim, Distance>(shape, balls).run(tolerance, most_queries);
+}
+
+/// How far one ball stands out [m], from above, within a twentieth: the bound where that is no more
+/// than four times `spare` [m], > 0; else by a search of at most so many queries.
+template <int Dim, DistanceFrom<Dim> Distance>
+[[nodiscard]] double protrusion_from_above(const Distance& shape, const Sphere<Dim>& ball,
+                                           double spare, int most_queries) {
+    const double bound = protrusion_bound<Dim>(shape, ball);
+    if (bound <= 4 * spare) return bound;
+    return find_protrusion<Dim>(shape, std::span(&ball, 1), bound / 20, most_queries).most;
 }
 
 }  // namespace lod
