@@ -32,15 +32,19 @@ int depth_within(const SphereTreeSettings& settings) {
 
 lod::SphereTree<3> grow_cover(const Solid& solid, const MeshPiece& whole,
                               const MeshDistance& distance, const lod::GrowSettings& limits,
-                              double least_protrusion) {
+                              const SphereTreeSettings& asked) {
     constexpr int field_cells = 64;
     lod::Sphere<3> root = lod::enclosing_ball<3>(whole.vertices());
     root.radius += lod::rounding_bound(root);
     const DistanceField field(distance, bounding_box(solid.mesh), field_cells);
-    const BallFit strategy(distance, field, lod::rounding_bound(root), {});
+    BallFitSettings fit;
+    fit.quick = lod::scaled(fit.quick, asked.effort);
+    fit.thorough = lod::scaled(fit.thorough, asked.effort);
+    const BallFit strategy(distance, field, lod::rounding_bound(root), fit);
     lod::GrowSettings settings = limits;
-    settings.least_protrusion = least_protrusion * 2 * root.radius;
+    settings.least_protrusion = asked.least_protrusion * 2 * root.radius;
     settings.starts_are_covers = true;
+    settings.most_failures = static_cast<int>(std::ceil(6 * asked.effort));
     settings.look_ahead_above = std::numeric_limits<double>::infinity();  // the strategy does
     return lod::grow_tree<3>(whole, root, strategy, settings);
 }
@@ -99,14 +103,16 @@ lod::SphereTree<3> build_sphere_tree(const Solid& solid, const SphereTreeSetting
     if (settings.builder == SolidBuilder::octree && settings.branching != 8)
         throw lod::Error(lod::ErrorKind::usage,
                          "an octree has branching 8; choose that or another builder");
+    if (!(settings.effort >= 0 && settings.effort <= 100))
+        throw lod::Error(lod::ErrorKind::limit_exceeded,
+                         "cannot build the tree: the effort is out of range; choose 0 to 100");
     lod::check_grow_settings(limits);
     limits.depth = depth_within(settings);
     const MeshDistance distance(solid.mesh, solid.inside_rule);
     const MeshPiece whole(solid, distance);
-    lod::SphereTree<3> tree =
-        settings.builder == SolidBuilder::octree
-            ? lod::grow_grid_tree<3>(whole, limits.depth, limits.progress)
-            : grow_cover(solid, whole, distance, limits, settings.least_protrusion);
+    lod::SphereTree<3> tree = settings.builder == SolidBuilder::octree
+                                  ? lod::grow_grid_tree<3>(whole, limits.depth, limits.progress)
+                                  : grow_cover(solid, whole, distance, limits, settings);
     if (!lod::certify<3>(tree, whole).back().certified)
         throw lod::Error(lod::ErrorKind::input_refused,
                          "the sphere tree of " + solid.name +

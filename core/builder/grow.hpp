@@ -29,6 +29,9 @@ struct GrowSettings {
     /// Whether the strategy's starts are covers that stand out little: then they are only improved
     /// as such, not made small as well.
     bool starts_are_covers = false;
+    /// Where the strategy has more starts for the worst leaves: so many tries in a row that gain
+    /// less than one in a hundred are the last.
+    int most_failures = 0;
     int most_rounds = 12;      ///< of splitting and fitting again, for each start
     double least_gain = 0.01;  ///< a round that improves by a smaller share is the last
     /// Called with the share of the work done, 0 to 1, never decreasing.
@@ -45,8 +48,9 @@ concept GrowStrategy = requires(const Strategy strategy, const Piece piece,
     /// Starts for dividing a piece, which the ball holds, into so many parts; the best will be
     /// kept.
     { strategy.starts(piece, ball, int{}) } -> std::same_as<std::vector<std::vector<Sphere<Dim>>>>;
-    /// A strategy may take a fourth number: how many levels will follow the one that is made.
-    /// A ball that holds the piece with rounding_bound to spare, near `ball` if that is good; if
+    /// A strategy may take a fourth number: how many levels will follow the one that is made. It
+    /// may have more_starts(piece, ball, count, attempt) too: others, for each further attempt. A
+    /// ball that holds the piece with rounding_bound to spare, near `ball` if that is good; if
     /// `ball` holds the piece, the result stands out of the shape no more than it does.
     { strategy.fit(piece, ball) } -> std::same_as<Sphere<Dim>>;
     /// How far a ball stands out of the shape [m].
@@ -78,26 +82,84 @@ class Grower {
     std::vector<TreeNode<Dim>> run(const Piece& whole, const Sphere<Dim>& root) {
         nodes_.push_back({root, mean_normal<Dim>(whole), {}});
         margin_ = rounding_bound(root) / 2;
-        divide(0, whole, settings_.depth);
+        std::vector<Owned> level{{0, whole}};
+        for (int levels_left = settings_.depth; levels_left >= 0; --levels_left)
+            level = divided(level, levels_left);
         return std::move(nodes_);
     }
 
   private:
-    void divide(std::size_t node, const Piece& owned, int levels_left) {
-        check_interrupted();
-        const bool fine = strategy_.protrusion(nodes_[node].sphere) <= settings_.least_protrusion;
-        if (levels_left == 0 || fine) return report(work_below_[as_index(levels_left)]);
-        report(1);
-        Cover<Dim> cover = best_cover(owned, nodes_[node].sphere, levels_left);
-        const std::vector<Piece> pieces = settled_pieces(owned, cover);
+    /// A node and the piece that it owns.
+    struct Owned {
+        std::size_t node;
+        Piece piece;
+    };
+    /// An owner and how its piece is going to be divided.
+    struct Division {
+        const Owned* owned;
+        Cover<Dim> cover;
+        int attempts = 1;
+    };
+
+    /// Divides the nodes of one level; what their children own, in the same order.
+    std::vector<Owned> divided(const std::vector<Owned>& level, int levels_left) {
+        std::vector<Division> divisions;
+        for (const Owned& owned : level) {
+            check_interrupted();
+            const Sphere<Dim>& ball = nodes_[owned.node].sphere;
+            const bool fine = strategy_.protrusion(ball) <= settings_.least_protrusion;
+            const bool ends = levels_left == 0 || fine;
+            if (!ends) divisions.push_back({&owned, best_cover(owned.piece, ball, levels_left)});
+            // Leaves cost nothing: their share of the work is the node's above.
+            const bool last = ends || levels_left == 1;
+            if (levels_left > 0 || settings_.depth == 0)
+                report(last ? work_below_[as_index(levels_left)] : 1);
+        }
+        if (levels_left == 1) divide_worst_again(divisions);
+        std::vector<Owned> next;
+        for (Division& division : divisions) add_children(division, levels_left, next);
+        return next;
+    }
+
+    /// Leaves that stand out furthest decide what a tree is worth: where the strategy knows more
+    /// starts, the worst division is tried again, until it will not get better.
+    void divide_worst_again(std::vector<Division>& divisions) const {
+        if constexpr (requires(const Piece& piece, const Sphere<Dim>& ball) {
+                          strategy_.more_starts(piece, ball, 0, 0);
+                      }) {
+            int failures = 0;
+            while (!divisions.empty() && failures < settings_.most_failures) {
+                check_interrupted();
+                Division& worst = *std::max_element(divisions.begin(), divisions.end(),
+                                                    [](const Division& a, const Division& b) {
+                                                        return a.cover.worst < b.cover.worst;
+                                                    });
+                const Piece& piece = worst.owned->piece;
+                ++failures;
+                for (const auto& start :
+                     strategy_.more_starts(piece, nodes_[worst.owned->node].sphere,
+                                           settings_.branching, worst.attempts++)) {
+                    Cover<Dim> cover = improved(piece, start, Aim::close);
+                    if (cover.worst >= worst.cover.worst) continue;
+                    if (cover.worst < 0.99 * worst.cover.worst) failures = 0;
+                    worst.cover = std::move(cover);
+                }
+            }
+        }
+    }
+
+    void add_children(Division& division, int levels_left, std::vector<Owned>& next) {
+        const std::size_t node = division.owned->node;
+        std::vector<Piece> pieces = settled_pieces(division.owned->piece, division.cover);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             const std::size_t child = nodes_.size();
             nodes_[node].children.push_back(static_cast<int>(child));
-            nodes_.push_back({cover.balls[i], mean_normal<Dim>(pieces[i]), {}});
-            divide(child, pieces[i], levels_left - 1);
+            nodes_.push_back({division.cover.balls[i], mean_normal<Dim>(pieces[i]), {}});
+            next.push_back({child, std::move(pieces[i])});
         }
-        report((settings_.branching - static_cast<double>(pieces.size())) *
-               work_below_[as_index(levels_left - 1)]);
+        if (levels_left > 1)
+            report((settings_.branching - static_cast<double>(pieces.size())) *
+                   work_below_[as_index(levels_left - 1)]);
     }
 
     /// From all starts, the cover whose worst ball costs least; while the parent stands out far,
@@ -247,9 +309,10 @@ class Grower {
 }  // namespace detail
 
 /// Grows a tree from the top: each node's piece is divided among its children by the power diagram
-/// of their balls, from several starts, each improved by Lloyd's rounds; the division whose worst ball stands out of the shape least is kept. Deterministic.
-/// Requires that `root` holds the whole with rounding_bound(root) to spare, and settings in range
-/// (otherwise throws Error, limit exceeded). The trees pass `certify`.
+/// of their balls, from several starts, each improved by Lloyd's rounds; the division whose worst
+/// ball stands out of the shape least is kept. Deterministic. Requires that `root` holds the whole
+/// with rounding_bound(root) to spare, and settings in range (otherwise throws Error, limit
+/// exceeded). The trees pass `certify`.
 template <int Dim, PieceOf<Dim> Piece, GrowStrategy<Dim, Piece> Strategy>
 [[nodiscard]] SphereTree<Dim> grow_tree(const Piece& whole, const Sphere<Dim>& root,
                                         const Strategy& strategy, const GrowSettings& settings) {

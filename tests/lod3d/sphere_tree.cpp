@@ -62,6 +62,7 @@ TEST_CASE("both builders' trees are certified, and samples agree, level by level
             SphereTreeSettings settings;
             settings.builder = builder;
             settings.depth = 2;
+            settings.effort = 0.05;
             const auto tree = build_sphere_tree(solid, settings);
             const lod::TreeReport report = report_sphere_tree(solid, tree);
             REQUIRE(report.levels.size() == 3);
@@ -86,6 +87,7 @@ TEST_CASE("a tree with a sphere made smaller loses its certificate", "[tree]") {
     const Solid solid = solid_from_spec("ring:0.12,40");
     SphereTreeSettings settings;
     settings.depth = 1;
+    settings.effort = 0.05;
     auto tree = build_sphere_tree(solid, settings);
     tree.radius[3] *= 0.9;
     const lod::TreeReport report = report_sphere_tree(solid, tree);
@@ -111,6 +113,7 @@ TEST_CASE("the same solid and settings give the same tree", "[tree]") {
     const Solid solid = solid_from_spec("blob:4");
     SphereTreeSettings settings;
     settings.depth = 1;
+    settings.effort = 0.05;
     const auto first = build_sphere_tree(solid, settings);
     const auto second = build_sphere_tree(solid, settings);
     CHECK(first.radius == second.radius);
@@ -121,6 +124,7 @@ TEST_CASE("depth, nodes and an error target each end the growing", "[tree]") {
     const Solid solid = solid_from_spec("ring:0.12,40");
     SphereTreeSettings settings;
     settings.depth = 3;
+    settings.effort = 0.05;
     settings.most_nodes = 100;
     CHECK(build_sphere_tree(solid, settings).levels() == 3);  // 1 + 8 + 64 nodes at most
     settings.most_nodes = 0;
@@ -140,7 +144,10 @@ TEST_CASE("settings out of range are refused, and progress never falls", "[tree]
     CHECK_THROWS_WITH(build_sphere_tree(solid, settings), Catch::Contains("branching 8"));
     CHECK_THROWS_WITH(solid_builder_named("dodo"), Catch::Contains("octree or cover"));
     settings = {};
-    settings.depth = 1;
+    settings.effort = -1;
+    CHECK_THROWS_WITH(build_sphere_tree(solid, settings), Catch::Contains("effort"));
+    settings.effort = 0.05;
+    settings.depth = 2;
     double last = 0;
     settings.progress = [&](double share) {
         CHECK(share >= last);

@@ -1,0 +1,246 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/random.hpp"
+#include "core/sphere.hpp"
+
+namespace lod {
+
+/// Signed distance from a shape's surface, negative inside [m], and the way in which it grows.
+template <int Dim>
+struct SlopedDistance {
+    double value = 0;
+    Vector<Dim> gradient = Vector<Dim>::Zero();
+};
+
+/// A quick, perhaps approximate, signed distance.
+template <class Field, int Dim>
+concept DistanceFieldOf = requires(const Field field, const Vector<Dim> p) {
+    { field.at(p) } -> std::convertible_to<SlopedDistance<Dim>>;
+};
+
+/// Balls that cover points and stand out of the shape by no more than `protrusion`, by the bound
+/// radius less depth of the centre.
+template <int Dim>
+struct PointCover {
+    std::vector<Sphere<Dim>> balls;
+    double protrusion = std::numeric_limits<double>::infinity();
+};
+
+namespace detail {
+
+/// A ball about c that just holds p stands out by f(p, c) = |p - c| + s(c) at most, s the signed
+/// distance. So `count` balls stand out by E(c) = max over p of min over c of f(p, c). Both the max
+/// and the min are softened, so that E has a slope, and sharpened again round by round.
+///
+/// Works on eight points at a time in single precision, relative to one of the points: the search
+/// only proposes, and what comes of it is fitted and certified in double precision.
+template <int Dim, DistanceFieldOf<Dim> Field>
+class CoverSearch {
+  public:
+    using Centres = std::vector<Vector<Dim>>;
+
+    /// Requires at least one point, which must outlive this.
+    CoverSearch(const Field& field, std::span<const Vector<Dim>> points, double size)
+        : field_(field), points_(points), size_(size), blocks_((points.size() + 7) / 8) {
+        place_.resize(blocks_ * Dim, Lanes::Zero());
+        weight_.resize(blocks_, Lanes::Zero());  // those behind the last point count nothing
+        least_.resize(blocks_);
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            const auto lane = static_cast<Eigen::Index>(p % 8);
+            for (std::size_t d = 0; d < Dim; ++d)
+                place_[p / 8 * Dim + d][lane] = relative(points[p], d);
+            weight_[p / 8][lane] = 1;
+        }
+    }
+
+    /// Of a point; where it is larger, balls shall stand out less.
+    float& weight(std::size_t point) {
+        return weight_[point / 8][static_cast<Eigen::Index>(point % 8)];
+    }
+
+    /// The first centre is a random point, each next one a point that the balls so far would have
+    /// to stand out furthest for, more or less.
+    Centres start(int count, Random& random) const {
+        Centres centres{pick(random.next() * static_cast<double>(points_.size()))};
+        std::vector<double> least(points_.size(), std::numeric_limits<double>::infinity());
+        std::vector<double> sum(points_.size());
+        while (static_cast<int>(centres.size()) < count) {
+            double total = 0;
+            const double depth = std::min(0.0, field_.at(centres.back()).value);
+            for (std::size_t p = 0; p < points_.size(); ++p) {
+                const double needs = (points_[p] - centres.back()).norm() + depth;
+                least[p] = std::min(least[p], needs);
+                double weight = std::max(least[p], 0.0) / size_;
+                for (int squaring = 0; squaring < 4; ++squaring) weight *= weight;
+                sum[p] = total += weight;
+            }
+            const auto at = std::lower_bound(sum.begin(), sum.end(), random.next() * total);
+            centres.push_back(pick(static_cast<double>(at - sum.begin())));
+        }
+        return centres;
+    }
+
+    /// Goes downhill from the centres; returns the least E met and leaves its centres.
+    double descend(Centres& centres, int rounds) {
+        const std::size_t count = centres.size();
+        Centres best = centres;
+        Centres push(count, Vector<Dim>::Zero());
+        double least = std::numeric_limits<double>::infinity();
+        for (int round = 0; round <= rounds; ++round) {
+            const double share = static_cast<double>(round) / (rounds + 1);
+            const double sharpness = falling(share);
+            const double worst = measure(centres);
+            if (worst < least) {
+                least = worst;
+                best = centres;
+            }
+            const Centres& slope = slopes(centres, worst, 0.06 * size_ * sharpness);
+            double steepest = 0;
+            for (const Vector<Dim>& s : slope) steepest = std::max(steepest, s.norm());
+            if (steepest == 0) break;
+            for (std::size_t i = 0; i < count; ++i) {
+                // Between one step length for all and steps in proportion to the slopes.
+                const double scale = 0.3 * steepest + 0.7 * slope[i].norm();
+                push[i] = 0.8 * push[i] + 0.2 / scale * slope[i];
+                centres[i] -= 0.04 * size_ * sharpness * push[i];
+            }
+        }
+        centres = best;
+        return least;
+    }
+
+    /// The least balls about the centres that hold the points which they hold most cheaply.
+    PointCover<Dim> cover(const Centres& centres) {
+        PointCover<Dim> result;
+        result.protrusion = std::max(0.0, measure(centres));
+        for (const Vector<Dim>& c : centres) result.balls.push_back({c, 0});
+        for (std::size_t p = 0; p < points_.size(); ++p) {
+            const auto lane = static_cast<Eigen::Index>(p % 8);
+            const Lanes* needs = &needs_[p / 8 * centres.size()];
+            std::size_t own = 0;
+            while (needs[own][lane] > least_[p / 8][lane]) ++own;
+            Sphere<Dim>& ball = result.balls[own];
+            ball.radius = std::max(ball.radius, (points_[p] - ball.centre).norm());
+        }
+        return result;
+    }
+
+  private:
+    using Lanes = Eigen::Array<float, 8, 1>;
+
+    [[nodiscard]] float relative(const Vector<Dim>& p, std::size_t d) const {
+        const auto axis = static_cast<Eigen::Index>(d);
+        return static_cast<float>(p[axis] - points_[0][axis]);
+    }
+
+    Vector<Dim> pick(double number) const {
+        return points_[std::min(static_cast<std::size_t>(number), points_.size() - 1)];
+    }
+
+    /// From 1 to 1/64 over shares 0 to 1; rational, for the same bits from every library.
+    static double falling(double share) {
+        const double left = (1 - share) * (1 - share);
+        return left * left + 1.0 / 64;
+    }
+
+    /// 1 at 0, falling like x^-4.
+    static Lanes falling_off(const Lanes& x) {
+        const Lanes slow = (1 + 0.25f * x).inverse();
+        const Lanes square = slow * slow;
+        return square * square;
+    }
+
+    /// Keeps f and its least for every point; returns E.
+    double measure(const Centres& centres) {
+        const std::size_t count = centres.size();
+        sloped_.clear();
+        from_.clear();
+        for (const Vector<Dim>& c : centres) {
+            sloped_.push_back(field_.at(c));
+            for (std::size_t d = 0; d < Dim; ++d) from_.push_back(relative(c, d));
+        }
+        distance_.resize(blocks_ * count);
+        needs_.resize(blocks_ * count);
+        Lanes worst = Lanes::Zero();
+        for (std::size_t b = 0; b < blocks_; ++b) {
+            Lanes least = Lanes::Constant(std::numeric_limits<float>::infinity());
+            for (std::size_t i = 0; i < count; ++i) {
+                Lanes squared = (place_[b * Dim] - from_[i * Dim]).square();
+                for (std::size_t d = 1; d < Dim; ++d)
+                    squared += (place_[b * Dim + d] - from_[i * Dim + d]).square();
+                const Lanes distance = squared.sqrt();
+                const Lanes needs = distance + static_cast<float>(sloped_[i].value);
+                distance_[b * count + i] = distance;
+                needs_[b * count + i] = needs;
+                least = least.min(needs);
+            }
+            least_[b] = least;
+            worst = worst.max(weight_[b] * least);
+        }
+        return worst.maxCoeff();
+    }
+
+    /// The slope of the softened E for each centre, from what measure() kept.
+    const Centres& slopes(const Centres& centres, double worst, double softness) {
+        const std::size_t count = centres.size();
+        const auto sharp = static_cast<float>(1 / softness);
+        const auto tiny = static_cast<float>(1e-12 * size_);
+        share_.resize(count);
+        sums_.assign(count * (Dim + 1), Lanes::Zero());
+        for (std::size_t b = 0; b < blocks_; ++b) {
+            const Lanes least = least_[b];
+            Lanes total = Lanes::Zero();
+            for (std::size_t i = 0; i < count; ++i) {
+                const Lanes near = falling_off((needs_[b * count + i] - least) * sharp);
+                share_[i] = near * near;
+                total += share_[i];
+            }
+            const Lanes behind = (static_cast<float>(worst) - weight_[b] * least) * sharp;
+            const Lanes matters = weight_[b] * falling_off(behind) / total;
+            for (std::size_t i = 0; i < count; ++i) {
+                Lanes* sum = &sums_[i * (Dim + 1)];
+                const Lanes pull = matters * share_[i];
+                sum[Dim] += pull;
+                const Lanes by_length = pull / distance_[b * count + i].max(tiny);
+                for (std::size_t d = 0; d < Dim; ++d)
+                    sum[d] += by_length * (from_[i * Dim + d] - place_[b * Dim + d]);
+            }
+        }
+        slope_.clear();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Lanes* sum = &sums_[i * (Dim + 1)];
+            Vector<Dim> slope = static_cast<double>(sum[Dim].sum()) * sloped_[i].gradient;
+            for (std::size_t d = 0; d < Dim; ++d)
+                slope[static_cast<Eigen::Index>(d)] += static_cast<double>(sum[d].sum());
+            slope_.push_back(slope);
+        }
+        return slope_;
+    }
+
+    const Field& field_;
+    std::span<const Vector<Dim>> points_;
+    double size_;
+    std::size_t blocks_;                       ///< of eight points
+    std::vector<Lanes> place_;                 ///< of each block, one entry a coordinate
+    std::vector<Lanes> weight_;                ///< of each block
+    std::vector<Lanes> least_;                 ///< of each block: the least f
+    std::vector<SlopedDistance<Dim>> sloped_;  ///< of each centre
+    std::vector<float> from_;                  ///< place of each centre, as place_
+    std::vector<Lanes> distance_;              ///< of each block and centre
+    std::vector<Lanes> needs_;                 ///< f of each block and centre
+    std::vector<Lanes> share_;  ///< of one block: how far its points are each centre's business
+    std::vector<Lanes> sums_;   ///< of each centre: Dim numbers of its arms, and its pull
+    std::vector<Vector<Dim>> slope_;  ///< of each centre
+};
+
+}  // namespace detail
+
+}  // namespace lod
