@@ -11,19 +11,6 @@ void pose_all(std::span<const Body<Dim>> bodies, std::vector<PosedTree<Dim>>& wo
     for (std::size_t i = 0; i < bodies.size(); ++i) world_S[i].pose(bodies[i]);
 }
 
-template <int Dim>
-std::optional<Contact<Dim>> model_node_contact(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                                               const NodePair& nodes, const FrameSettings& settings,
-                                               const Vector<Dim>& fallback) {
-    const Sphere<Dim> ball_a = a.sphere(nodes.a);
-    const Sphere<Dim> ball_b = b.sphere(nodes.b);
-    if (settings.contact_model == ContactModel::centre_line)
-        return model_contact<Dim>(ball_a, ball_b, settings.point_model, fallback);
-    return model_surface_contact<Dim>({ball_a, a.mean_normal(nodes.a)},
-                                      {ball_b, b.mean_normal(nodes.b)}, settings.point_model,
-                                      fallback);
-}
-
 /// The contacts of every pair, from its front at the last finished level.
 template <int Dim>
 void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& settings,
@@ -40,12 +27,11 @@ void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& sett
         const auto& world_b = storage.world_S[static_cast<std::size_t>(b)];
         const Vector<Dim> between = bodies[static_cast<std::size_t>(b)].position -
                                     bodies[static_cast<std::size_t>(a)].position;
-        for (const NodePair& nodes : front.pairs) {
-            const auto contact =
-                model_node_contact<Dim>(world_a, world_b, nodes, settings, between);
-            if (!contact) continue;  // they meet only within the rounding of the test
+        storage.front_contacts.model(world_a, world_b, front.pairs, settings.contact_model,
+                                     settings.point_model, between, storage.contacts);
+        for (const auto& [nodes, contact] : storage.contacts) {
             record.node_pairs.push_back(nodes);
-            record.impacts.push_back({a, b, static_cast<std::int32_t>(p), *contact});
+            record.impacts.push_back({a, b, static_cast<std::int32_t>(p), contact});
         }
         const auto count = static_cast<std::int32_t>(record.impacts.size()) - first;
         record.pairs.push_back({{a, b}, front.level, front.verdict, front.tests, first, count});

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/budget.hpp"
+#include "core/front_contacts.hpp"
 #include "core/response.hpp"
 #include "core/schedule.hpp"
 
@@ -53,6 +54,8 @@ struct FrameStorage {
     std::vector<std::int32_t> order;
     std::vector<Front> fronts;
     ScheduleScratch scratch;
+    FrontContacts<Dim> front_contacts;
+    std::vector<NodeContact<Dim>> contacts;  ///< of one front
     Resolver<Dim> resolver;
     FrameRecord<Dim> record;
 };

@@ -92,18 +92,17 @@ TEMPLATE_TEST_CASE_SIG("a frame's contacts are those of the contact model that i
         Budget budget = Budget::unlimited();
         const auto& record = detect<Dim>(bodies, settings, budget, storage);
         REQUIRE(record.impacts.size() > 3);
-        for (std::size_t c = 0; c < record.impacts.size(); ++c) {
-            const auto a = static_cast<std::size_t>(record.impacts[c].a);
-            const auto b = static_cast<std::size_t>(record.impacts[c].b);
-            const PosedTree<Dim>& world_a = storage.world_S[a];
-            const PosedTree<Dim>& world_b = storage.world_S[b];
-            const auto [node_a, node_b] = record.node_pairs[c];
-            const SurfaceNode<Dim> surface_a{world_a.sphere(node_a), world_a.mean_normal(node_a)};
-            const SurfaceNode<Dim> surface_b{world_b.sphere(node_b), world_b.mean_normal(node_b)};
-            const auto expected = model == ContactModel::centre_line
-                                      ? model_contact<Dim>(surface_a.ball, surface_b.ball)
-                                      : model_surface_contact<Dim>(surface_a, surface_b);
-            CHECK(record.impacts[c].contact.normal == expected.value().normal);
+        for (std::size_t p = 0; p < record.pairs.size(); ++p) {
+            const PairRecord& pair = record.pairs[p];
+            const auto expected = contacts_of_front<Dim>(
+                bodies[static_cast<std::size_t>(pair.bodies.a)],
+                bodies[static_cast<std::size_t>(pair.bodies.b)], storage.fronts[p], model);
+            REQUIRE(expected.size() == static_cast<std::size_t>(pair.contact_count));
+            for (std::size_t c = 0; c < expected.size(); ++c) {
+                const std::size_t place = static_cast<std::size_t>(pair.first_contact) + c;
+                CHECK(record.impacts[place].contact.normal == expected[c].normal);
+                CHECK(record.impacts[place].contact.point == expected[c].point);
+            }
         }
     }
 }
