@@ -16,8 +16,8 @@
 
 namespace {
 
-viz::Actor actor(const lod2d::Shape& shape) {
-    viz::Actor result;
+viz::Actor<2> actor(const lod2d::Shape& shape) {
+    viz::Actor<2> result;
     result.look = viz::look_of(shape);
     lod::set_mass<2>(result.body, shape.area, lod::Inertia<2>::Constant(shape.second_moment));
     lod2d::TreeSettings settings;
@@ -27,7 +27,7 @@ viz::Actor actor(const lod2d::Shape& shape) {
 }
 
 /// A gear turns past a star; each frame shows the nodes that are tested at level 3.
-viz::Figure frame(const viz::Actor& star, viz::Actor gear, int number) {
+viz::Figure frame(const viz::Actor<2>& star, viz::Actor<2> gear, int number) {
     gear.body.position = {0.75, 0.1};
     gear.body.orientation = 0.02 * number;
     const auto fronts = lod::traverse_levels(star.body, gear.body);
@@ -39,8 +39,8 @@ viz::Figure frame(const viz::Actor& star, viz::Actor gear, int number) {
 
 int main(int argc, char** argv) {
     const int frames = argc > 1 ? std::atoi(argv[1]) : 60;
-    const viz::Actor star = actor(lod2d::generate("star:5"));
-    const viz::Actor gear = actor(lod2d::generate("gear:9"));
+    const viz::Actor<2> star = actor(lod2d::generate("star:5"));
+    const viz::Actor<2> gear = actor(lod2d::generate("gear:9"));
     viz::Animation film;
     for (int number = 0; number < frames; ++number)
         film.shots.push_back({[&star, &gear, number] { return frame(star, gear, number); }, 1});

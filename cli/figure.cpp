@@ -83,7 +83,7 @@ Drawing point_and_normal(const Options&) {
 /// Figure 9: one collision of two real shapes, interrupted at levels 1, 2 and 3.
 Drawing strips_of_a_collision(const Options& options) {
     scenes::Setup setup = stage_named("figure9", options);
-    std::vector<viz::Run> runs;
+    std::vector<viz::Run<2>> runs;
     for (const int level : {1, 2, 3}) {
         const std::string name = "Level " + std::to_string(level);
         setup.scene.limits = {level, {}, {}};

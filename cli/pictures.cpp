@@ -17,23 +17,23 @@ viz::Quality quality_of(const Options& options) {
     return viz::Quality::p720;
 }
 
-viz::Look look_of(const lod2d::Shape& shape, const std::string& name) {
-    viz::Look look{name, {}};
+viz::Look<2> look_of(const lod2d::Shape& shape, const std::string& name) {
+    viz::Look<2> look{name, {}};
     for (const lod2d::Ring& ring : shape.polygon.rings) {
-        viz::Ring& copy = look.rings.emplace_back();
+        viz::Ring& copy = look.outline.emplace_back();
         for (const lod2d::Point& point : ring) copy.push_back({point.x(), point.y()});
     }
     return look;
 }
 
-viz::Actor actor_of(const scenes::Setup& setup, const std::vector<lod::Body<2>>& bodies,
-                    std::int32_t number) {
+viz::Actor<2> actor_of(const scenes::Setup& setup, const std::vector<lod::Body<2>>& bodies,
+                       std::int32_t number) {
     const auto i = static_cast<std::size_t>(number);
     return {look_of(*setup.shapes[i], setup.scene.bodies[i].name), bodies[i]};
 }
 
-viz::Run seen(const scenes::Setup& setup, const scenes::Run<2>& run, const std::string& name) {
-    viz::Run result;
+viz::Run<2> seen(const scenes::Setup& setup, const scenes::Run<2>& run, const std::string& name) {
+    viz::Run<2> result;
     result.name = name;
     result.time_step = run.settings.time_step;
     for (std::size_t i = 0; i < setup.bodies.size(); ++i)

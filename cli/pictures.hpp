@@ -12,15 +12,15 @@
 namespace cli {
 
 /// A shape's outline as pictures take it.
-[[nodiscard]] viz::Look look_of(const lod2d::Shape& shape, const std::string& name);
+[[nodiscard]] viz::Look<2> look_of(const lod2d::Shape& shape, const std::string& name);
 
 /// A body of a staged scene, in the state that `bodies` holds.
-[[nodiscard]] viz::Actor actor_of(const scenes::Setup& setup,
-                                  const std::vector<lod::Body<2>>& bodies, std::int32_t number);
+[[nodiscard]] viz::Actor<2> actor_of(const scenes::Setup& setup,
+                                     const std::vector<lod::Body<2>>& bodies, std::int32_t number);
 
 /// A run as pictures take it. `name` heads its row or panel.
-[[nodiscard]] viz::Run seen(const scenes::Setup& setup, const scenes::Run<2>& run,
-                            const std::string& name);
+[[nodiscard]] viz::Run<2> seen(const scenes::Setup& setup, const scenes::Run<2>& run,
+                               const std::string& name);
 
 [[nodiscard]] viz::Theme theme_of(const Options& options);
 [[nodiscard]] viz::Quality quality_of(const Options& options);

@@ -88,21 +88,22 @@ viz::SimulationMotion motion_of(const scenes::Scene& scene) {
 }
 
 /// Two bodies: the strip of their collision. More: where all of them end.
-viz::Figure still_of(const scenes::Setup& setup, const viz::Run& run, const std::string& picture) {
+viz::Figure still_of(const scenes::Setup& setup, const viz::Run<2>& run,
+                     const std::string& picture) {
     if (picture != "strip" && setup.bodies.size() > 2)
         return viz::simulation_picture(run, run.instants.back().time, motion_of(setup.scene));
     viz::StripWords words;
     words.title = title_of(setup.scene);
-    return viz::strips({run}, words);
+    return viz::strips<2>({run}, words);
 }
 
 /// The film of two bodies dwells on their collision; more bodies are filmed as they move.
-viz::Animation film_of(const scenes::Setup& setup, const viz::Run& run) {
+viz::Animation film_of(const scenes::Setup& setup, const viz::Run<2>& run) {
     if (setup.bodies.size() > 2 || viz::first_impact(run) < 0)
         return viz::simulation_motion(run, motion_of(setup.scene));
     viz::ImpactMotion choice;
     choice.title = title_of(setup.scene);
-    return viz::impact_motion({run}, choice);
+    return viz::impact_motion<2>({run}, choice);
 }
 
 /// The figure with its scenes seen by the scene's camera, where it has one.
@@ -129,7 +130,7 @@ viz::Animation framed(viz::Animation animation, const scenes::Scene& scene) {
 Drawing drawing_of(const scenes::Setup& setup, const scenes::Run<2>& run, const Options& options) {
     const std::string name =
         options.replay.empty() ? limit_of(setup.scene.limits) : "Played again from a trace";
-    const auto shown = std::make_shared<const viz::Run>(seen(setup, run, name));
+    const auto shown = std::make_shared<const viz::Run<2>>(seen(setup, run, name));
     Drawing drawing;
     drawing.figure = [&setup, &run, &options, shown] {
         if (options.picture == "plot") return plot_of(setup, run, shown->name);

@@ -86,7 +86,7 @@ void run_tree(const Options& options) {
         body.tree = std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(shape, settings));
     }
     Drawing drawing;
-    drawing.figure = [&] { return viz::tree_levels({look_of(shape, shape.name), body}); };
+    drawing.figure = [&] { return viz::tree_levels<2>({look_of(shape, shape.name), body}); };
     drawing.json = [&](const std::string& path) { io::save_tree(path, *body.tree); };
     write_outputs(options, drawing);
     const lod2d::TreeReport report = lod2d::report_tree(shape, *body.tree);

@@ -56,9 +56,9 @@ std::size_t edge_count(const lod2d::Polygon& polygon) {
     return edges;
 }
 
-viz::Actor actor(const std::string& name, const lod2d::Shape& shape,
-                 std::shared_ptr<const lod::SphereTree<2>> tree) {
-    viz::Actor result;
+viz::Actor<2> actor(const std::string& name, const lod2d::Shape& shape,
+                    std::shared_ptr<const lod::SphereTree<2>> tree) {
+    viz::Actor<2> result;
     result.look = {name, rings_of(shape.polygon)};
     lod::set_mass(result.body, shape.area, lod::Inertia<2>::Constant(shape.second_moment));
     result.body.tree = std::move(tree);
@@ -85,10 +85,10 @@ viz::Style style(viz::Role role, int body, int level) {
     return {role, body, level, 1};
 }
 
-void add_body(viz::Panel& panel, const viz::Actor& actor, int index) {
+void add_body(viz::Panel& panel, const viz::Actor<2>& actor, int index) {
     const viz::Role role = actor.body.is_static() ? viz::Role::wall : viz::Role::body;
     panel.marks.push_back(
-        viz::Path{style(role, index), viz::carried(actor.body, actor.look.rings)});
+        viz::Path{style(role, index), viz::carried(actor.body, actor.look.outline)});
 }
 
 void add_disc(viz::Panel& panel, const lod::Sphere<2>& disc, viz::Style style) {

@@ -39,8 +39,8 @@ namespace lessons {
 [[nodiscard]] std::size_t edge_count(const lod2d::Polygon& polygon);
 
 /// A body of density 1 kg/m^2 with a picture's look; its tree may come later.
-[[nodiscard]] viz::Actor actor(const std::string& name, const lod2d::Shape& shape,
-                               std::shared_ptr<const lod::SphereTree<2>> tree = nullptr);
+[[nodiscard]] viz::Actor<2> actor(const std::string& name, const lod2d::Shape& shape,
+                                  std::shared_ptr<const lod::SphereTree<2>> tree = nullptr);
 
 /// A circle tree of the shape, with four children a node.
 [[nodiscard]] std::shared_ptr<const lod::SphereTree<2>> tree_of(
@@ -53,7 +53,7 @@ namespace lessons {
 [[nodiscard]] viz::Style style(viz::Role role, int body = 0, int level = -1);
 
 /// Outline of a body in the ink of body `index`.
-void add_body(viz::Panel& panel, const viz::Actor& actor, int index);
+void add_body(viz::Panel& panel, const viz::Actor<2>& actor, int index);
 void add_disc(viz::Panel& panel, const lod::Sphere<2>& disc, viz::Style style);
 void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<2>& p, int body = 0);
 void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<2>& from,

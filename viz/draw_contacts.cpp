@@ -23,31 +23,34 @@ std::vector<int> legible_levels(const std::vector<lod::Front>& fronts) {
     return levels;
 }
 
-/// A box that holds both outlines and the nodes of all contacts shown.
-Box view_of(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
-            const std::vector<int>& levels) {
-    Box view = bounds({a.look, b.look}, {a.body, b.body});
+/// Shows both outlines and the nodes of all contacts shown.
+template <int Dim>
+View<Dim> view_of(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
+                  const std::vector<int>& levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
+    View<Dim> view(viewpoint, way_between(a.body, b.body));
+    take_in<Dim>(view, a);
+    take_in<Dim>(view, b);
     for (const int level : levels) {
         for (const lod::NodePair& pair : fronts[static_cast<std::size_t>(level)].pairs) {
-            view = united(view, box_of(carried_node(a.body, pair.a)));
-            view = united(view, box_of(carried_node(b.body, pair.b)));
+            take_in<Dim>(view, carried_node(a.body, pair.a));
+            take_in<Dim>(view, carried_node(b.body, pair.b));
         }
     }
     return view;
 }
 
-Panel level_panel(const Actor& a, const Actor& b, const lod::Front& front, lod::PointModel model,
-                  const Box& view) {
-    const std::vector<lod::Contact<2>> contacts = contacts_of(a.body, b.body, front, model);
-    Panel panel;
+template <int Dim>
+Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const lod::Front& front,
+                  lod::PointModel model, const View<Dim>& view) {
+    const std::vector<lod::Contact<Dim>> contacts = contacts_of(a.body, b.body, front, model);
+    Panel panel = blank_panel<Dim>(view);
     panel.title = "Level " + std::to_string(front.level) + ": " +
                   count_text(static_cast<long long>(contacts.size()), "contact");
-    panel.view = view;
-    add_body(panel.marks, a, 0);
-    add_body(panel.marks, b, 1);
-    add_meeting_nodes(panel.marks, a.body, b.body, 0, 1, front.pairs, 0.6);
-    add_normals(panel.marks, contacts, 0.14 * longer_side(view));
-    add_contact_points(panel.marks, contacts);
+    add_body(panel, a, 0);
+    add_body(panel, b, 1);
+    add_meeting_nodes<Dim>(panel, a.body, b.body, 0, 1, front.pairs, 0.6);
+    add_normals<Dim>(panel, contacts, 0.14 * longer_side(panel.view));
+    add_contact_points<Dim>(panel, contacts);
     return panel;
 }
 
@@ -103,37 +106,40 @@ void add_plane(Marks& marks, const lod::Sphere<2>& a, const lod::Sphere<2>& b, c
 
 }  // namespace
 
-std::vector<lod::Contact<2>> contacts_of(const lod::Body<2>& a, const lod::Body<2>& b,
-                                         const lod::Front& front, lod::PointModel model) {
-    std::vector<lod::Contact<2>> contacts;
-    const Vector2 between = b.position - a.position;
+template <int Dim>
+std::vector<lod::Contact<Dim>> contacts_of(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
+                                           const lod::Front& front, lod::PointModel model) {
+    std::vector<lod::Contact<Dim>> contacts;
+    const lod::Vector<Dim> between = b.position - a.position;
     for (const lod::NodePair& pair : front.pairs) {
-        const auto contact =
-            lod::model_contact<2>(carried_node(a, pair.a), carried_node(b, pair.b), model, between);
+        const auto contact = lod::model_contact<Dim>(carried_node(a, pair.a),
+                                                     carried_node(b, pair.b), model, between);
         if (contact) contacts.push_back(*contact);
     }
     return contacts;
 }
 
-Figure contacts_by_level(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
-                         lod::PointModel model, std::vector<int> levels) {
+template <int Dim>
+Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
+                         const std::vector<lod::Front>& fronts, lod::PointModel model,
+                         std::vector<int> levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
     if (levels.empty()) levels = legible_levels(fronts);
-    const Box view = view_of(a, b, fronts, levels);
+    const View<Dim> view = view_of(a, b, fronts, levels, viewpoint);
+    const std::string name_a = shown_name<Dim>({a.look, b.look}, 0);
+    const std::string name_b = shown_name<Dim>({a.look, b.look}, 1);
     Figure figure;
     figure.title = "One touch of two faces becomes ever more sphere contacts";
     figure.caption =
         "Each intersecting pair of nodes gives one contact: its point and its normal, "
         "from " +
-        literal_text(shown_name({a.look, b.look}, 0)) + " towards " +
-        literal_text(shown_name({a.look, b.look}, 1)) + ".";
-    figure.alt = "The contact of " + shown_name({a.look, b.look}, 0) + " and " +
-                 shown_name({a.look, b.look}, 1) + ", level by level.";
+        literal_text(name_a) + " towards " + literal_text(name_b) + ".";
+    figure.alt = "The contact of " + name_a + " and " + name_b + ", level by level.";
     std::size_t most = 0;
     for (const int level : levels) {
         const lod::Front& front = fronts[static_cast<std::size_t>(level)];
-        figure.panels.push_back(level_panel(a, b, front, model, view));
+        figure.panels.push_back(level_panel<Dim>(a, b, front, model, view));
         if (figure.panels.size() == 1)
-            add_names(figure.panels[0].marks, a, b, level == 0 ? Beside::roots : Beside::outlines);
+            add_names(figure.panels[0], a, b, level == 0 ? Beside::roots : Beside::outlines);
         figure.alt += " " + figure.panels.back().title + ".";
         most = std::max(most, contacts_of(a.body, b.body, front, model).size());
     }
@@ -170,8 +176,11 @@ Figure contact_construction(const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
                  "it at " +
                  figure.numbers[2].value +
                  ". The normal points from the first centre to the second.";
+    FlatView both;
+    take_in<2>(both, a);
+    take_in<2>(both, b);
     Panel panel;
-    panel.view = united(box_of(a), box_of(b));
+    panel.view = both.box();
     add_balls(panel.marks, a, b, n);
     panel.marks.push_back(Arrow{{.role = Role::normal},
                                 point_of(ratio->point),
@@ -183,5 +192,16 @@ Figure contact_construction(const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
     figure.panels.push_back(std::move(panel));
     return figure;
 }
+
+template std::vector<lod::Contact<2>> contacts_of<2>(const lod::Body<2>&, const lod::Body<2>&,
+                                                     const lod::Front&, lod::PointModel);
+template std::vector<lod::Contact<3>> contacts_of<3>(const lod::Body<3>&, const lod::Body<3>&,
+                                                     const lod::Front&, lod::PointModel);
+template Figure contacts_by_level<2>(const Actor<2>&, const Actor<2>&,
+                                     const std::vector<lod::Front>&, lod::PointModel,
+                                     std::vector<int>, const Sight<2>::Viewpoint&);
+template Figure contacts_by_level<3>(const Actor<3>&, const Actor<3>&,
+                                     const std::vector<lod::Front>&, lod::PointModel,
+                                     std::vector<int>, const Sight<3>::Viewpoint&);
 
 }  // namespace viz

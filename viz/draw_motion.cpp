@@ -33,11 +33,12 @@ struct Moment {
     double pause_time = -1;  ///< seconds since this pause began, or none
 };
 
+template <int Dim>
 struct ImpactFilm {
-    std::vector<Run> runs;
+    std::vector<Run<Dim>> runs;
     ImpactMotion choice;
     double end = 0;
-    Box view;
+    View<Dim> view;
     std::vector<int> impacts;  ///< of each run: the instant of detection, or -1
     double metres_per_impulse = 1;
     double metres_per_speed = 1;
@@ -48,32 +49,34 @@ struct ImpactFilm {
     }
 };
 
-ImpactFilm film_of(const std::vector<Run>& runs, const ImpactMotion& choice) {
-    ImpactFilm film{runs, choice, 0, {}, {}, 1, 1};
-    double impulse = 0;
-    double speed = 0;
-    for (const Run& run : runs) {
+template <int Dim>
+ImpactFilm<Dim> film_of(const std::vector<Run<Dim>>& runs, const ImpactMotion& choice,
+                        const typename Sight<Dim>::Viewpoint& viewpoint) {
+    for (const Run<Dim>& run : runs)
         if (run.instants.empty())
             throw lod::Error(lod::ErrorKind::input_refused,
                              "cannot film a collision: a run has no instants; simulate at least "
                              "one frame");
-        film.end = end_time(runs);
-        const Box box = bounds(run, instant_at(run, film.end));
-        film.view = film.impacts.empty() ? box : united(film.view, box);
+    const double end = end_time(runs);
+    ImpactFilm<Dim> film{runs, choice, end, view_of<Dim>(runs, end, viewpoint), {}, 1, 1};
+    double impulse = 0;
+    double speed = 0;
+    for (const Run<Dim>& run : runs) {
         film.impacts.push_back(first_impact(run));
         speed = std::max(speed, largest_speed(run));
         if (film.impacts.back() >= 0)
             impulse = std::max(impulse,
                                largest_impulse(run, static_cast<std::size_t>(film.impacts.back())));
     }
-    const double longest = 0.2 * longer_side(film.view);
+    const double longest = 0.2 * longer_side(film.view.box());
     if (impulse > 0) film.metres_per_impulse = longest / impulse;
     if (speed > 0) film.metres_per_speed = longest / speed;
     return film;
 }
 
 /// The video's frames: which moment of the simulation each shows.
-std::vector<Moment> moments_of(const ImpactFilm& film) {
+template <int Dim>
+std::vector<Moment> moments_of(const ImpactFilm<Dim>& film) {
     std::set<double> pauses;
     for (std::size_t r = 0; r < film.runs.size(); ++r)
         if (film.impacts[r] >= 0) pauses.insert(film.impact_time(r));
@@ -104,7 +107,8 @@ double stage_opacity(double pause_time, int stage) {
 }
 
 /// How strongly each kind of mark of a run's detection shows at a moment.
-std::array<double, stages> opacities(const ImpactFilm& film, std::size_t run,
+template <int Dim>
+std::array<double, stages> opacities(const ImpactFilm<Dim>& film, std::size_t run,
                                      const Moment& moment) {
     std::array<double, stages> shown{};
     const double impact = film.impact_time(run);
@@ -118,59 +122,44 @@ std::array<double, stages> opacities(const ImpactFilm& film, std::size_t run,
     return shown;
 }
 
-/// The trajectory up to a time; the run's instants and the point between the last two.
-void add_trail(Marks& marks, const Run& run, double from, double until,
-               const std::vector<lod::Body<2>>& bodies, double opacity) {
-    const auto first = static_cast<std::size_t>(std::max(0.0, std::ceil(from / run.time_step)));
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (bodies[b].is_static()) continue;
-        Polyline path{{.role = Role::trajectory, .body = static_cast<int>(b), .opacity = opacity},
-                      {},
-                      0.0,
-                      {}};
-        for (std::size_t i = first; i < run.instants.size() && run.instants[i].time <= until; ++i)
-            path.points.push_back(point_of(run.instants[i].bodies[b].position));
-        path.points.push_back(point_of(bodies[b].position));
-        if (path.points.size() > 1) marks.push_back(std::move(path));
-    }
-}
-
-void add_bodies(Marks& marks, const Run& run, const std::vector<lod::Body<2>>& bodies,
+template <int Dim>
+void add_bodies(Panel& panel, const Run<Dim>& run, const std::vector<lod::Body<Dim>>& bodies,
                 double opacity) {
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        add_body(marks, {b < run.looks.size() ? run.looks[b] : Look{}, bodies[b]},
-                 static_cast<int>(b), opacity);
+        add_body<Dim>(panel, {b < run.looks.size() ? run.looks[b] : Look<Dim>{}, bodies[b]},
+                      static_cast<int>(b), opacity);
 }
 
-void add_detection(Marks& marks, const ImpactFilm& film, std::size_t r,
+template <int Dim>
+void add_detection(Panel& panel, const ImpactFilm<Dim>& film, std::size_t r,
                    const std::array<double, stages>& shown) {
-    const Run& run = film.runs[r];
+    const Run<Dim>& run = film.runs[r];
     const auto instant = static_cast<std::size_t>(film.impacts[r]);
-    const lod::FrameRecord<2>& record = run.instants[instant].record;
+    const lod::FrameRecord<Dim>& record = run.instants[instant].record;
     const auto& bodies = run.instants[instant].bodies;
     if (shown[nodes] > 0) {
         for (const lod::PairRecord& pair : record.pairs) {
             const auto first = record.node_pairs.begin() + pair.first_contact;
             const std::vector<lod::NodePair> meeting(first, first + pair.contact_count);
-            add_meeting_nodes(marks, bodies[static_cast<std::size_t>(pair.bodies.a)],
-                              bodies[static_cast<std::size_t>(pair.bodies.b)], pair.bodies.a,
-                              pair.bodies.b, meeting, shown[nodes]);
+            add_meeting_nodes<Dim>(panel, bodies[static_cast<std::size_t>(pair.bodies.a)],
+                                   bodies[static_cast<std::size_t>(pair.bodies.b)], pair.bodies.a,
+                                   pair.bodies.b, meeting, shown[nodes]);
         }
     }
     const auto touching = contacts_of(record);
     if (shown[normals] > 0)
-        add_normals(marks, touching, 0.05 * longer_side(film.view), shown[normals]);
-    if (shown[contacts] > 0) add_contact_points(marks, touching, shown[contacts]);
+        add_normals<Dim>(panel, touching, 0.05 * longer_side(panel.view), shown[normals]);
+    if (shown[contacts] > 0) add_contact_points<Dim>(panel, touching, shown[contacts]);
     if (shown[impulses] > 0)
-        add_impulses(marks, run, instant, film.metres_per_impulse, shown[impulses]);
+        add_impulses(panel, run, instant, film.metres_per_impulse, shown[impulses]);
 }
 
-Panel run_panel(const ImpactFilm& film, std::size_t r, const Moment& moment, double opacity) {
-    const Run& run = film.runs[r];
-    const std::vector<lod::Body<2>> bodies = bodies_at(run, moment.time);
+template <int Dim>
+Panel run_panel(const ImpactFilm<Dim>& film, std::size_t r, const Moment& moment, double opacity) {
+    const Run<Dim>& run = film.runs[r];
+    const std::vector<lod::Body<Dim>> bodies = bodies_at(run, moment.time);
     const auto shown = opacities(film, r, moment);
-    Panel panel;
-    panel.view = film.view;
+    Panel panel = blank_panel<Dim>(film.view);
     panel.title = run.name;
     const double impact = film.impact_time(r);
     if (impact >= 0 && moment.time >= impact)
@@ -178,26 +167,27 @@ Panel run_panel(const ImpactFilm& film, std::size_t r, const Moment& moment, dou
     const double past = std::min(moment.time, run.instants.back().time);
     const auto until = static_cast<std::size_t>(past / run.time_step + 1e-9);
     if (opacity == 1 && impact >= 0 && moment.time > impact)
-        add_past(panel.marks, run, std::min(until, run.instants.size() - 1), {.most_ghosts = 4});
-    add_trail(panel.marks, run, 0, moment.time, bodies, opacity);
-    add_bodies(panel.marks, run, bodies, opacity);
+        add_past(panel, run, std::min(until, run.instants.size() - 1), {.most_ghosts = 4});
+    add_trails(panel, run, 0, moment.time, bodies, opacity);
+    add_bodies(panel, run, bodies, opacity);
     if (film.impacts[r] < 0) return panel;
-    add_detection(panel.marks, film, r, shown);
+    add_detection(panel, film, r, shown);
     if (shown[velocities] > 0) {
         const auto after =
             std::min(static_cast<std::size_t>(film.impacts[r]) + 1, run.instants.size() - 1);
         for (std::size_t b = 0; b < bodies.size(); ++b) {
-            lod::Body<2> body = bodies[b];
+            lod::Body<Dim> body = bodies[b];
             body.velocity = run.instants[after].bodies[b].velocity;
             if (!body.is_static())
-                add_velocity(panel.marks, body, static_cast<int>(b), film.metres_per_speed,
+                add_velocity(panel, body, static_cast<int>(b), film.metres_per_speed,
                              shown[velocities]);
         }
     }
     return panel;
 }
 
-Figure frame_figure(const ImpactFilm& film, const Moment& moment, double opacity = 1) {
+template <int Dim>
+Figure frame_figure(const ImpactFilm<Dim>& film, const Moment& moment, double opacity = 1) {
     Figure figure;
     figure.title = film.choice.title;
     figure.caption = film.choice.caption;
@@ -209,35 +199,57 @@ Figure frame_figure(const ImpactFilm& film, const Moment& moment, double opacity
 }
 
 /// The end fades into the beginning, so that a loop has no seam.
-Figure returning_figure(const ImpactFilm& film, double share) {
-    Figure figure = frame_figure(film, {film.end, -1}, std::max(0.0, 1 - 2 * share));
-    if (share >= 0.5) figure = frame_figure(film, {0, -1}, 2 * share - 1);
+template <int Dim>
+Figure returning_figure(const ImpactFilm<Dim>& film, double share) {
+    Figure figure = frame_figure<Dim>(film, {film.end, -1}, std::max(0.0, 1 - 2 * share));
+    if (share >= 0.5) figure = frame_figure<Dim>(film, {0, -1}, 2 * share - 1);
     return figure;
 }
 
 }  // namespace
 
-std::vector<lod::Body<2>> bodies_at(const Run& run, double time) {
+template <int Dim>
+std::vector<lod::Body<Dim>> bodies_at(const Run<Dim>& run, double time) {
     const auto last = run.instants.size() - 1;
     const double at = std::max(0.0, time / run.time_step);
     const auto before = std::min(static_cast<std::size_t>(at + 1e-9), last);
-    std::vector<lod::Body<2>> bodies = run.instants[before].bodies;
+    std::vector<lod::Body<Dim>> bodies = run.instants[before].bodies;
     if (before == last) return bodies;
     const double share = std::max(0.0, at - static_cast<double>(before));
-    const std::vector<lod::Body<2>>& next = run.instants[before + 1].bodies;
+    const std::vector<lod::Body<Dim>>& next = run.instants[before + 1].bodies;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         bodies[b].position += share * (next[b].position - bodies[b].position);
-        bodies[b].orientation +=
-            share * lod::wrapped_angle(next[b].orientation - bodies[b].orientation);
+        bodies[b].orientation =
+            Sight<Dim>::between(bodies[b].orientation, next[b].orientation, share);
     }
     return bodies;
 }
 
-Animation impact_motion(const std::vector<Run>& runs, const ImpactMotion& choice) {
+template <int Dim>
+void add_trails(Panel& panel, const Run<Dim>& run, double from, double until,
+                const std::vector<lod::Body<Dim>>& bodies, double opacity) {
+    const auto first =
+        static_cast<std::size_t>(std::max(0.0, std::ceil(from / run.time_step - 1e-9)));
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        if (bodies[b].is_static()) continue;
+        std::vector<lod::Vector<Dim>> path;
+        for (std::size_t i = first; i < run.instants.size() && run.instants[i].time <= until; ++i)
+            path.push_back(run.instants[i].bodies[b].position);
+        path.push_back(bodies[b].position);
+        add_line<Dim>(panel,
+                      {.role = Role::trajectory, .body = static_cast<int>(b), .opacity = opacity},
+                      path, 0);
+    }
+}
+
+template <int Dim>
+Animation impact_motion(const std::vector<Run<Dim>>& runs, const ImpactMotion& choice,
+                        const typename Sight<Dim>::Viewpoint& viewpoint) {
     if (runs.empty())
         throw lod::Error(lod::ErrorKind::input_refused,
                          "cannot film a collision: there are no runs; simulate at least one");
-    const auto film = std::make_shared<const ImpactFilm>(film_of(runs, choice));
+    const auto film =
+        std::make_shared<const ImpactFilm<Dim>>(film_of<Dim>(runs, choice, viewpoint));
     Animation animation;
     animation.frames_per_second = choice.frames_per_second;
     animation.title = choice.title;
@@ -254,5 +266,16 @@ Animation impact_motion(const std::vector<Run>& runs, const ImpactMotion& choice
     }
     return animation;
 }
+
+template std::vector<lod::Body<2>> bodies_at<2>(const Run<2>&, double);
+template std::vector<lod::Body<3>> bodies_at<3>(const Run<3>&, double);
+template void add_trails<2>(Panel&, const Run<2>&, double, double, const std::vector<lod::Body<2>>&,
+                            double);
+template void add_trails<3>(Panel&, const Run<3>&, double, double, const std::vector<lod::Body<3>>&,
+                            double);
+template Animation impact_motion<2>(const std::vector<Run<2>>&, const ImpactMotion&,
+                                    const Sight<2>::Viewpoint&);
+template Animation impact_motion<3>(const std::vector<Run<3>>&, const ImpactMotion&,
+                                    const Sight<3>::Viewpoint&);
 
 }  // namespace viz

@@ -16,8 +16,10 @@ struct ImpactMotion {
 /// impact, a pause at the instant of detection with its marks drawn one after the other, then what
 /// follows, and back to the start. Runs share one clock and one scale.
 /// Throws lod::Error (input refused) where a run has no instants.
-[[nodiscard]] Animation impact_motion(const std::vector<Run>& runs,
-                                      const ImpactMotion& choice = {});
+template <int Dim>
+[[nodiscard]] Animation impact_motion(const std::vector<Run<Dim>>& runs,
+                                      const ImpactMotion& choice = {},
+                                      const typename Sight<Dim>::Viewpoint& viewpoint = {});
 
 struct SimulationMotion {
     double frames_per_second = 30;
@@ -29,14 +31,24 @@ struct SimulationMotion {
 };
 
 /// A whole simulation of any number of bodies, contacts shown as they are resolved.
-[[nodiscard]] Animation simulation_motion(const Run& run, const SimulationMotion& choice = {});
+template <int Dim>
+[[nodiscard]] Animation simulation_motion(const Run<Dim>& run, const SimulationMotion& choice = {},
+                                          const typename Sight<Dim>::Viewpoint& viewpoint = {});
 
 /// One frame of it, as a picture.
-[[nodiscard]] Figure simulation_picture(const Run& run, double time,
-                                        const SimulationMotion& choice = {});
+template <int Dim>
+[[nodiscard]] Figure simulation_picture(const Run<Dim>& run, double time,
+                                        const SimulationMotion& choice = {},
+                                        const typename Sight<Dim>::Viewpoint& viewpoint = {});
 
 /// The bodies between two instants: they move freely there, so this is exact but for the spin of a
 /// body in space.
-[[nodiscard]] std::vector<lod::Body<2>> bodies_at(const Run& run, double time);
+template <int Dim>
+[[nodiscard]] std::vector<lod::Body<Dim>> bodies_at(const Run<Dim>& run, double time);
+
+/// The way of every moving body from one time to another [s], ending where the bodies stand.
+template <int Dim>
+void add_trails(Panel& panel, const Run<Dim>& run, double from, double until,
+                const std::vector<lod::Body<Dim>>& bodies, double opacity = 1);
 
 }  // namespace viz

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
@@ -14,14 +15,14 @@ constexpr double contact_seconds = 0.25;  ///< of video that a contact stays to 
 constexpr std::size_t most_curve_points = 2000;
 
 /// What does not change from frame to frame.
+template <int Dim>
 struct Stage {
-    std::shared_ptr<const Run> run;
+    std::shared_ptr<const Run<Dim>> run;
     SimulationMotion choice;
-    Box view;
+    View<Dim> view;
     Curve energy;
-    Curve momentum_x;
-    Curve momentum_y;
-    Panel energy_panel;  ///< of the whole run: gives the view
+    std::vector<Curve> momentum;  ///< one an axis
+    Panel energy_panel;           ///< of the whole run: gives the view
     Panel momentum_panel;
 };
 
@@ -32,33 +33,38 @@ Axes over_time(const char* what) {
     return axes;
 }
 
-std::shared_ptr<const Stage> stage_of(const Run& run, const SimulationMotion& choice) {
+template <int Dim>
+std::shared_ptr<const Stage<Dim>> stage_of(const Run<Dim>& run, const SimulationMotion& choice,
+                                           const typename Sight<Dim>::Viewpoint& viewpoint) {
     if (run.instants.empty())
         throw lod::Error(lod::ErrorKind::input_refused,
                          "cannot film a simulation: it has no instants; simulate at least one "
                          "frame");
-    auto stage = std::make_shared<Stage>();
-    stage->run = std::make_shared<const Run>(run);
+    auto stage = std::make_shared<Stage<Dim>>();
+    stage->run = std::make_shared<const Run<Dim>>(run);
     stage->choice = choice;
-    stage->view = bounds(run, run.instants.size() - 1);
+    stage->view = view_of<Dim>({run}, run.instants.back().time, viewpoint);
     stage->energy.name = "energy";
-    stage->momentum_x.name = "*p_x*";
-    stage->momentum_y.name = "*p_y*";
-    stage->momentum_y.series = 1;
+    constexpr std::array<const char*, 3> names{"*p_x*", "*p_y*", "*p_z*"};
+    for (int axis = 0; axis < Dim; ++axis) {
+        Curve& curve = stage->momentum.emplace_back();
+        curve.name = names[static_cast<std::size_t>(axis)];
+        curve.series = axis;
+    }
     const std::size_t step = 1 + run.instants.size() / most_curve_points;
     for (std::size_t i = 0; i < run.instants.size(); i += step) {
-        const Instant& instant = run.instants[i];
-        const std::span<const lod::Body<2>> bodies(instant.bodies);
-        const lod::Vector<2> p = lod::momentum<2>(bodies);
-        stage->energy.points.push_back({instant.time, lod::kinetic_energy<2>(bodies)});
-        stage->momentum_x.points.push_back({instant.time, p.x()});
-        stage->momentum_y.points.push_back({instant.time, p.y()});
+        const Instant<Dim>& instant = run.instants[i];
+        const std::span<const lod::Body<Dim>> bodies(instant.bodies);
+        const lod::Vector<Dim> p = lod::momentum<Dim>(bodies);
+        stage->energy.points.push_back({instant.time, lod::kinetic_energy<Dim>(bodies)});
+        for (int axis = 0; axis < Dim; ++axis)
+            stage->momentum[static_cast<std::size_t>(axis)].points.push_back(
+                {instant.time, p[axis]});
     }
     stage->energy_panel = plot_panel("", over_time("kinetic energy [J]"), {stage->energy});
     stage->energy_panel.view.low.y = 0;  // what is lost or won shows as a share of the whole
     stage->energy_panel.view.high.y *= 1.15;
-    stage->momentum_panel =
-        plot_panel("", over_time("momentum [kg m/s]"), {stage->momentum_x, stage->momentum_y});
+    stage->momentum_panel = plot_panel("", over_time("momentum [kg m/s]"), stage->momentum);
     return stage;
 }
 
@@ -84,57 +90,45 @@ Panel plot_until(const Panel& whole, const std::vector<Curve>& curves, double ti
     return panel;
 }
 
-void add_recent_trails(Marks& marks, const Stage& stage, double time,
-                       const std::vector<lod::Body<2>>& bodies) {
-    const Run& run = *stage.run;
-    const double from = std::max(0.0, time - stage.choice.trail);
-    const auto first = static_cast<std::size_t>(std::ceil(from / run.time_step - 1e-9));
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-        if (bodies[b].is_static()) continue;
-        Polyline path{{.role = Role::trajectory, .body = static_cast<int>(b)}, {}, 0.0, {}};
-        for (std::size_t i = first; i < run.instants.size() && run.instants[i].time <= time; ++i)
-            path.points.push_back(point_of(run.instants[i].bodies[b].position));
-        path.points.push_back(point_of(bodies[b].position));
-        if (path.points.size() > 1) marks.push_back(std::move(path));
-    }
-}
-
 /// The contacts resolved a moment ago, fading.
-void add_recent_contacts(Marks& marks, const Stage& stage, double time) {
-    const Run& run = *stage.run;
+template <int Dim>
+void add_recent_contacts(Panel& panel, const Stage<Dim>& stage, double time) {
+    const Run<Dim>& run = *stage.run;
     const double seen = contact_seconds * stage.choice.speed;
     const auto first =
         static_cast<std::size_t>(std::max(0.0, std::ceil((time - seen) / run.time_step)));
     for (std::size_t i = first; i < run.instants.size() && run.instants[i].time <= time; ++i) {
-        const lod::FrameRecord<2>& record = run.instants[i].record;
-        std::vector<lod::Contact<2>> pushed;
+        const lod::FrameRecord<Dim>& record = run.instants[i].record;
+        std::vector<lod::Contact<Dim>> pushed;
         for (std::size_t c = 0; c < record.impacts.size(); ++c)
             if (record.impulses[c] > 0) pushed.push_back(record.impacts[c].contact);
         const double age = (time - run.instants[i].time) / seen;
-        add_contact_points(marks, pushed, std::clamp(1 - age, 0.0, 1.0));
+        add_contact_points<Dim>(panel, pushed, std::clamp(1 - age, 0.0, 1.0));
     }
 }
 
-Panel scene_panel(const Stage& stage, double time) {
-    const std::vector<lod::Body<2>> bodies = bodies_at(*stage.run, time);
-    Panel panel;
-    panel.view = stage.view;
-    add_recent_trails(panel.marks, stage, time, bodies);
+template <int Dim>
+Panel scene_panel(const Stage<Dim>& stage, double time) {
+    const std::vector<lod::Body<Dim>> bodies = bodies_at(*stage.run, time);
+    Panel panel = blank_panel<Dim>(stage.view);
+    add_trails(panel, *stage.run, std::max(0.0, time - stage.choice.trail), time, bodies);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const Look look = b < stage.run->looks.size() ? stage.run->looks[b] : Look{};
-        add_body(panel.marks, {look, bodies[b]}, static_cast<int>(b));
+        const Look<Dim> look = b < stage.run->looks.size() ? stage.run->looks[b] : Look<Dim>{};
+        add_body<Dim>(panel, {look, bodies[b]}, static_cast<int>(b));
     }
-    add_recent_contacts(panel.marks, stage, time);
+    add_recent_contacts(panel, stage, time);
     return panel;
 }
 
-const lod::FrameRecord<2>& record_at(const Run& run, double time) {
+template <int Dim>
+const lod::FrameRecord<Dim>& record_at(const Run<Dim>& run, double time) {
     return run.instants[instant_at(run, time)].record;
 }
 
-Figure picture(const Stage& stage, double time) {
-    const Run& run = *stage.run;
-    const lod::FrameRecord<2>& record = record_at(run, time);
+template <int Dim>
+Figure picture(const Stage<Dim>& stage, double time) {
+    const Run<Dim>& run = *stage.run;
+    const lod::FrameRecord<Dim>& record = record_at(run, time);
     const double energy = until(stage.energy, time).points.back().y;
     Figure figure;
     figure.title = stage.choice.title.empty() ? literal_text(run.name) : stage.choice.title;
@@ -154,24 +148,27 @@ Figure picture(const Stage& stage, double time) {
     figure.panels[0].cell = Cell{0, 0, 2, 1};
     figure.panels.push_back(plot_until(stage.energy_panel, {stage.energy}, time));
     figure.panels.back().cell = Cell{0, 1};
-    figure.panels.push_back(
-        plot_until(stage.momentum_panel, {stage.momentum_x, stage.momentum_y}, time));
+    figure.panels.push_back(plot_until(stage.momentum_panel, stage.momentum, time));
     figure.panels.back().cell = Cell{1, 1};
     return figure;
 }
 
 }  // namespace
 
-Figure simulation_picture(const Run& run, double time, const SimulationMotion& choice) {
-    return picture(*stage_of(run, choice), time);
+template <int Dim>
+Figure simulation_picture(const Run<Dim>& run, double time, const SimulationMotion& choice,
+                          const typename Sight<Dim>::Viewpoint& viewpoint) {
+    return picture(*stage_of(run, choice, viewpoint), time);
 }
 
-Animation simulation_motion(const Run& run, const SimulationMotion& choice) {
+template <int Dim>
+Animation simulation_motion(const Run<Dim>& run, const SimulationMotion& choice,
+                            const typename Sight<Dim>::Viewpoint& viewpoint) {
     if (!(choice.speed > 0) || !(choice.frames_per_second >= 1))
         throw lod::Error(lod::ErrorKind::usage,
                          "cannot film a simulation: its speed and frame rate must be above zero; "
                          "give positive numbers");
-    const auto stage = stage_of(run, choice);
+    const auto stage = stage_of(run, choice, viewpoint);
     const double end = run.instants.back().time;
     const int frames = 1 + static_cast<int>(end / choice.speed * choice.frames_per_second);
     Animation animation;
@@ -183,5 +180,14 @@ Animation simulation_motion(const Run& run, const SimulationMotion& choice) {
     }
     return animation;
 }
+
+template Figure simulation_picture<2>(const Run<2>&, double, const SimulationMotion&,
+                                      const Sight<2>::Viewpoint&);
+template Figure simulation_picture<3>(const Run<3>&, double, const SimulationMotion&,
+                                      const Sight<3>::Viewpoint&);
+template Animation simulation_motion<2>(const Run<2>&, const SimulationMotion&,
+                                        const Sight<2>::Viewpoint&);
+template Animation simulation_motion<3>(const Run<3>&, const SimulationMotion&,
+                                        const Sight<3>::Viewpoint&);
 
 }  // namespace viz

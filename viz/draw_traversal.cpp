@@ -18,51 +18,51 @@ std::uint64_t tests_of(const std::vector<lod::Front>& fronts, int level) {
     return front_at(fronts, level).tests - before;
 }
 
-void insert_next(const lod::SphereTree<2>& tree, int node, std::set<int>& nodes) {
+template <int Dim>
+void insert_next(const lod::SphereTree<Dim>& tree, int node, std::set<int>& nodes) {
     if (tree.is_leaf(node)) {
         nodes.insert(node);
         return;
     }
-    const auto i = lod::SphereTree<2>::index(node);
+    const auto i = lod::SphereTree<Dim>::index(node);
     for (int child = 0; child < tree.child_count[i]; ++child)
         nodes.insert(tree.first_child[i] + child);
 }
 
-Panel level_panel(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts, int level,
-                  const Box& view) {
+template <int Dim>
+Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
+                  int level, const View<Dim>& view) {
     const lod::Front& front = front_at(fronts, level);
-    Panel panel;
+    Panel panel = blank_panel<Dim>(view);
     panel.title = "Level " + std::to_string(level) + ": " + verdict_words(front.verdict);
-    panel.view = view;
-    add_body(panel.marks, a, 0);
-    add_body(panel.marks, b, 1);
+    add_body(panel, a, 0);
+    add_body(panel, b, 1);
     const TestedNodes tested = tested_nodes(a.body, b.body, fronts, level);
-    add_nodes(panel.marks, a.body, tested.a, Role::node, 0);
-    add_nodes(panel.marks, b.body, tested.b, Role::node, 1);
-    add_meeting_nodes(panel.marks, a.body, b.body, 0, 1, front.pairs);
+    add_nodes<Dim>(panel, a.body, tested.a, Role::node, 0);
+    add_nodes<Dim>(panel, b.body, tested.b, Role::node, 1);
+    add_meeting_nodes<Dim>(panel, a.body, b.body, 0, 1, front.pairs);
     return panel;
 }
 
-/// A box that holds both outlines and every node that the levels show.
-Box view_of(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
-            const std::vector<int>& levels) {
-    Box view = bounds({a.look, b.look}, {a.body, b.body});
-    const auto take_in = [&](const lod::Body<2>& body, const std::vector<int>& nodes) {
-        for (const int node : nodes) {
-            view = united(view, box_of(carried_node(body, node)));
-        }
-    };
+/// Shows both outlines and every node that the levels show.
+template <int Dim>
+View<Dim> view_of(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
+                  const std::vector<int>& levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
+    View<Dim> view(viewpoint, way_between(a.body, b.body));
+    take_in<Dim>(view, a);
+    take_in<Dim>(view, b);
     for (const int level : levels) {
         const TestedNodes tested = tested_nodes(a.body, b.body, fronts, level);
-        take_in(a.body, tested.a);
-        take_in(b.body, tested.b);
+        for (const int node : tested.a) take_in<Dim>(view, carried_node(a.body, node));
+        for (const int node : tested.b) take_in<Dim>(view, carried_node(b.body, node));
     }
     return view;
 }
 
-std::string names_of(const Actor& a, const Actor& b) {
-    return literal_text(shown_name({a.look, b.look}, 0)) + " and " +
-           literal_text(shown_name({a.look, b.look}, 1));
+template <int Dim>
+std::string names_of(const Actor<Dim>& a, const Actor<Dim>& b) {
+    return literal_text(shown_name<Dim>({a.look, b.look}, 0)) + " and " +
+           literal_text(shown_name<Dim>({a.look, b.look}, 1));
 }
 
 std::string level_words(const std::vector<lod::Front>& fronts, int level) {
@@ -73,15 +73,17 @@ std::string level_words(const std::vector<lod::Front>& fronts, int level) {
            verdict_words(front.verdict);
 }
 
-std::string alt_text(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
-                     const std::vector<int>& levels) {
-    std::string alt = "The circle trees of " + plain_text(names_of(a, b)) +
-                      " tested against each other, one panel a level.";
+template <int Dim>
+std::string alt_text(const Actor<Dim>& a, const Actor<Dim>& b,
+                     const std::vector<lod::Front>& fronts, const std::vector<int>& levels) {
+    std::string alt = std::string("The ") + Sight<Dim>::ball_word + " trees of " +
+                      plain_text(names_of(a, b)) + " tested against each other, one panel a level.";
     for (const int level : levels) alt += " At " + level_words(fronts, level) + ".";
     return alt;
 }
 
-std::string title(const Actor& a, const Actor& b, const lod::Front& last) {
+template <int Dim>
+std::string title(const Actor<Dim>& a, const Actor<Dim>& b, const lod::Front& last) {
     switch (last.verdict) {
         case lod::Verdict::apart:
             return "At level " + std::to_string(last.level) +
@@ -98,7 +100,8 @@ std::string title(const Actor& a, const Actor& b, const lod::Front& last) {
 
 }  // namespace
 
-TestedNodes tested_nodes(const lod::Body<2>& a, const lod::Body<2>& b,
+template <int Dim>
+TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
                          const std::vector<lod::Front>& fronts, int level) {
     if (level == 0) return {{0}, {0}};
     std::set<int> of_a;
@@ -110,8 +113,9 @@ TestedNodes tested_nodes(const lod::Body<2>& a, const lod::Body<2>& b,
     return {{of_a.begin(), of_a.end()}, {of_b.begin(), of_b.end()}};
 }
 
-Figure traversal(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
-                 std::vector<int> levels) {
+template <int Dim>
+Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
+                 std::vector<int> levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
     if (levels.empty()) levels = montage_levels(static_cast<int>(fronts.size()));
     Figure figure;
     figure.title = title(a, b, front_at(fronts, levels.back()));
@@ -120,14 +124,17 @@ Figure traversal(const Actor& a, const Actor& b, const std::vector<lod::Front>& 
         "Bold: nodes that intersect, whose children are tested next. Thin grey: "
         "nodes tested that meet nothing.";
     figure.alt = alt_text(a, b, fronts, levels);
-    const Box view = view_of(a, b, fronts, levels);
-    for (const int level : levels) figure.panels.push_back(level_panel(a, b, fronts, level, view));
-    add_names(figure.panels[0].marks, a, b, levels[0] == 0 ? Beside::roots : Beside::outlines);
+    const View<Dim> view = view_of(a, b, fronts, levels, viewpoint);
+    for (const int level : levels)
+        figure.panels.push_back(level_panel<Dim>(a, b, fronts, level, view));
+    add_names(figure.panels[0], a, b, levels[0] == 0 ? Beside::roots : Beside::outlines);
     return figure;
 }
 
-Figure traversal_level(const Actor& a, const Actor& b, const std::vector<lod::Front>& fronts,
-                       int level) {
+template <int Dim>
+Figure traversal_level(const Actor<Dim>& a, const Actor<Dim>& b,
+                       const std::vector<lod::Front>& fronts, int level,
+                       const typename Sight<Dim>::Viewpoint& viewpoint) {
     const lod::Front& front = front_at(fronts, level);
     Figure figure;
     figure.title = "Level " + std::to_string(level) + ": " + verdict_words(front.verdict);
@@ -139,14 +146,28 @@ Figure traversal_level(const Actor& a, const Actor& b, const std::vector<lod::Fr
     figure.caption =
         "Bold: nodes that intersect, whose children are tested next. Thin grey: "
         "nodes tested that meet nothing.";
-    figure.alt = "The circle trees of " + plain_text(names_of(a, b)) + " at " +
-                 level_words(fronts, level) + ".";
+    figure.alt = std::string("The ") + Sight<Dim>::ball_word + " trees of " +
+                 plain_text(names_of(a, b)) + " at " + level_words(fronts, level) + ".";
     std::vector<int> every;  // so that the steps of one traversal share a view
     for (std::size_t i = 0; i < fronts.size(); ++i) every.push_back(static_cast<int>(i));
-    figure.panels.push_back(level_panel(a, b, fronts, level, view_of(a, b, fronts, every)));
+    figure.panels.push_back(
+        level_panel<Dim>(a, b, fronts, level, view_of(a, b, fronts, every, viewpoint)));
     figure.panels.back().title.clear();
-    add_names(figure.panels.back().marks, a, b, level == 0 ? Beside::roots : Beside::outlines);
+    add_names(figure.panels.back(), a, b, level == 0 ? Beside::roots : Beside::outlines);
     return figure;
 }
+
+template TestedNodes tested_nodes<2>(const lod::Body<2>&, const lod::Body<2>&,
+                                     const std::vector<lod::Front>&, int);
+template TestedNodes tested_nodes<3>(const lod::Body<3>&, const lod::Body<3>&,
+                                     const std::vector<lod::Front>&, int);
+template Figure traversal<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
+                             std::vector<int>, const Sight<2>::Viewpoint&);
+template Figure traversal<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,
+                             std::vector<int>, const Sight<3>::Viewpoint&);
+template Figure traversal_level<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
+                                   int, const Sight<2>::Viewpoint&);
+template Figure traversal_level<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,
+                                   int, const Sight<3>::Viewpoint&);
 
 }  // namespace viz

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -56,11 +58,16 @@ struct Disc {
     double radius = 0;
 };
 
+/// How far in front of the eye a mark over a scene in space lies [m], along the view: what lies
+/// behind a surface is drawn pale. This one: in front of everything.
+inline constexpr double in_front = -1e12;
+
 /// A dot of constant size on the page; `size` 1 is the usual one.
 struct Dot {
     Style style;
     Point at;
     double size = 1;  ///< 0.2 to 3
+    double depth = in_front;
 };
 
 /// A region bounded by rings, holes by the even-odd rule.
@@ -76,6 +83,7 @@ struct Polyline {
     std::vector<Point> points;
     double start_opacity = 1;
     std::string end_label;
+    std::vector<double> depths{};  ///< one a point, or none: in_front
 };
 
 /// An arrow; `label` stands beside its tip (the value of an impulse).
@@ -84,6 +92,8 @@ struct Arrow {
     Point tail;
     Point tip;
     std::string label;
+    double tail_depth = in_front;
+    double tip_depth = in_front;
 };
 
 /// Words beside what they name, in its ink: placed by the canvas round the anchor, at least
@@ -106,6 +116,74 @@ struct Mark : AnyMark {
     Mark& operator=(const Mark& other);
     Mark& operator=(Mark&& other) noexcept;
     ~Mark();
+};
+
+/// A point of the world in space [m]; y is up.
+struct Point3 {
+    double x = 0;
+    double y = 0;
+    double z = 0;
+    friend bool operator==(const Point3&, const Point3&) = default;
+};
+
+/// Where the reader stands. World frame, metres. The point on the panel under a point of space lies
+/// at metres as long as they look at the target's distance, from the target at the origin, x to the
+/// right, y up (space.hpp).
+struct Camera {
+    Point3 eye{0, 0, 5};
+    Point3 target{0, 0, 0};    ///< not the eye
+    Point3 up{0, 1, 0};        ///< not along the view
+    bool perspective = false;  ///< for showing; orthographic, which sees behind the eye too, for
+                               ///< comparing
+};
+
+/// A ball of true size in space. radius >= 0.
+struct Ball {
+    Style style;
+    Point3 centre;
+    double radius = 0;
+};
+
+/// Triangles in space, anticlockwise seen from outside. Body frame, metres. See surface_of.
+struct Surface {
+    std::vector<Point3> vertices;
+    std::vector<std::array<int, 3>> triangles;
+    std::vector<std::array<Point3, 3>> normals;  ///< one a corner: smooth but over sharp edges
+    struct Edge {
+        int from = 0;
+        int to = 0;
+        int left = 0;        ///< one of its triangles
+        int right = -1;      ///< the other; -1: none
+        bool sharp = false;  ///< drawn wherever it is seen; others on the silhouette only
+    };
+    std::vector<Edge> edges;
+    std::vector<Point3> outermost;  ///< furthest in many directions: enough to frame the surface
+};
+
+/// A surface where its body stands: x -> origin + axes x.
+struct Facets {
+    Style style;
+    std::shared_ptr<const Surface> surface;  ///< never null
+    Point3 origin;
+    std::array<Point3, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  ///< columns, unit vectors
+};
+
+/// A level grid under the bodies that takes their soft contact shadows.
+struct Ground {
+    double height = 0;          ///< y of the plane [m]
+    double spacing = 1;         ///< between the grid's lines [m], > 0
+    Point3 centre;              ///< the grid fades out round this place
+    double reach = 1;           ///< ... so far from it [m], > 0
+    std::vector<Ball> casters;  ///< what casts shadows: a coarse level of each body's tree
+};
+
+/// Bodies in space as data. A canvas shows them as a shaded picture in which surfaces hide, shine
+/// through and cut each other where they truly do.
+struct SpaceScene {
+    Camera camera;
+    std::vector<Ball> balls;
+    std::vector<Facets> facets;
+    std::optional<Ground> ground;
 };
 
 /// A box of the panel's coordinates.
@@ -137,14 +215,15 @@ struct Cell {
 };
 
 /// One picture of a figure. A scene keeps its shape (one metre is as long across as up) and shows
-/// at least `view`; a plot (with axes) stretches `view` over its cell. Marks are drawn in order,
-/// words last.
+/// at least `view`; a plot (with axes) stretches `view` over its cell. A scene in space is drawn
+/// first, as its camera sees it; marks are drawn over it in order, words last.
 struct Panel {
     std::string title;
     Box view;
     std::optional<Axes> axes;
     std::vector<Mark> marks;
     std::optional<Cell> cell;  ///< the next free cell when not set
+    std::optional<SpaceScene> space{};
 };
 
 /// A number that matters, shown top right: "tests", "48".

@@ -1,60 +1,28 @@
 #include "viz/scene_view.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
-#include "lod2d/overlap.hpp"
+#include "viz/space.hpp"
 
 namespace viz {
-namespace {
 
-constexpr double far_away = std::numeric_limits<double>::infinity();
-
-void take_in(Box& box, Point p, double reach) {
-    box.low = {std::min(box.low.x, p.x - reach), std::min(box.low.y, p.y - reach)};
-    box.high = {std::max(box.high.x, p.x + reach), std::max(box.high.y, p.y + reach)};
-}
-
-void take_in(Box& box, const Look& look, const lod::Body<2>& body) {
-    for (const Ring& ring : look.rings)
-        for (const Point& p : ring) take_in(box, carried(body, p), 0);
-    if (!look.rings.empty() || !body.tree) return;
-    for (int node = 0; node < body.tree->size(); ++node) {
-        if (!body.tree->is_leaf(node)) continue;
-        const lod::Sphere<2> leaf = carried_node(body, node);
-        take_in(box, {leaf.centre.x(), leaf.centre.y()}, leaf.radius);
-    }
-}
-
-lod2d::BoundaryIndex world_boundary(const Actor& actor) {
-    lod2d::Polygon polygon;
-    for (const Ring& ring : carried(actor.body, actor.look.rings)) {
-        lod2d::Ring points;
-        for (const Point& p : ring) points.emplace_back(p.x, p.y);
-        polygon.rings.push_back(std::move(points));
-    }
-    return lod2d::BoundaryIndex(polygon);
-}
-
-}  // namespace
-
-Look look_of(const lod2d::Shape& shape) {
-    Look look{shape.name, {}};
+Look<2> look_of(const lod2d::Shape& shape) {
+    Look<2> look{shape.name, {}};
     for (const lod2d::Ring& ring : shape.polygon.rings) {
-        look.rings.emplace_back();
-        for (const lod2d::Point& p : ring) look.rings.back().push_back({p.x(), p.y()});
+        look.outline.emplace_back();
+        for (const lod2d::Point& p : ring) look.outline.back().push_back({p.x(), p.y()});
     }
     return look;
 }
 
-double gap(const Actor& a, const Actor& b) {
-    if (a.look.rings.empty() || b.look.rings.empty()) return -1;
-    return lod2d::distance(world_boundary(a), world_boundary(b));
+Look<3> look_of(const lod3d::Solid& solid) {
+    return {solid.name, std::make_shared<const Surface>(surface_of(solid.mesh))};
 }
 
-void add_instant(Run& run, std::vector<lod::Body<2>> bodies_before,
-                 const lod::FrameRecord<2>& record) {
+template <int Dim>
+void add_instant(Run<Dim>& run, std::vector<lod::Body<Dim>> bodies_before,
+                 const lod::FrameRecord<Dim>& record) {
     const double time = static_cast<double>(run.instants.size()) * run.time_step;
     run.instants.push_back({time, std::move(bodies_before), record});
 }
@@ -72,24 +40,38 @@ std::vector<Ring> carried(const lod::Body<2>& body, const std::vector<Ring>& rin
     return world;
 }
 
-lod::Sphere<2> carried_node(const lod::Body<2>& body, int node) {
-    const lod::Sphere<2> local = body.tree->sphere(node);
-    const lod::Vector<2> centre =
-        body.position + lod::Space<2>::rotation(body.orientation) * local.centre;
+template <int Dim>
+lod::Sphere<Dim> carried_node(const lod::Body<Dim>& body, int node) {
+    const lod::Sphere<Dim> local = body.tree->sphere(node);
+    const lod::Vector<Dim> centre =
+        body.position + lod::Space<Dim>::rotation(body.orientation) * local.centre;
     return {centre, local.radius};
 }
 
-Box bounds(const std::vector<Look>& looks, const std::vector<lod::Body<2>>& bodies) {
-    Box box{{far_away, far_away}, {-far_away, -far_away}};
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        take_in(box, i < looks.size() ? looks[i] : Look{}, bodies[i]);
-    return box;
+template <int Dim>
+void take_in(View<Dim>& view, const Actor<Dim>& actor) {
+    const lod::Body<Dim>& body = actor.body;
+    const lod::Matrix<Dim> R = lod::Space<Dim>::rotation(body.orientation);
+    for (const lod::Vector<Dim>& p : Sight<Dim>::points_of(actor.look.outline))
+        view.take_in(body.position + R * p, 0);
+    if (Sight<Dim>::shown(actor.look.outline) || !body.tree) return;
+    for (int node = 0; node < body.tree->size(); ++node)
+        if (body.tree->is_leaf(node)) take_in<Dim>(view, carried_node(body, node));
 }
 
-Box box_of(const lod::Sphere<2>& ball) {
-    const double x = ball.centre.x();
-    const double y = ball.centre.y();
-    return {{x - ball.radius, y - ball.radius}, {x + ball.radius, y + ball.radius}};
+template <int Dim>
+void take_in(View<Dim>& view, const lod::Sphere<Dim>& ball) {
+    view.take_in(ball.centre, ball.radius);
+}
+
+template <int Dim>
+void take_in(View<Dim>& view, const Run<Dim>& run, std::size_t until) {
+    for (std::size_t i = 0; i <= until; ++i) {
+        const auto& bodies = run.instants[i].bodies;
+        for (std::size_t b = 0; b < bodies.size(); ++b)
+            take_in<Dim>(view,
+                         Actor<Dim>{b < run.looks.size() ? run.looks[b] : Look<Dim>{}, bodies[b]});
+    }
 }
 
 Box united(const Box& a, const Box& b) {
@@ -98,11 +80,16 @@ Box united(const Box& a, const Box& b) {
 }
 
 Box grown(const Box& box, double share) {
-    const double by = share * std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    const double by = share * longer_side(box);
     return {{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
 }
 
-int first_impact(const Run& run) {
+double longer_side(const Box& box) {
+    return std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+}
+
+template <int Dim>
+int first_impact(const Run<Dim>& run) {
     for (std::size_t i = 0; i < run.instants.size(); ++i) {
         const std::vector<double>& impulses = run.instants[i].record.impulses;
         const bool pushed = std::any_of(impulses.begin(), impulses.end(),
@@ -111,5 +98,35 @@ int first_impact(const Run& run) {
     }
     return -1;
 }
+
+template <int Dim>
+lod::Vector<Dim> way_between(const lod::Body<Dim>& a, const lod::Body<Dim>& b) {
+    return b.position - a.position;
+}
+
+template <int Dim>
+lod::Vector<Dim> way_of(const Run<Dim>& run) {
+    const auto& bodies = run.instants.front().bodies;
+    if (bodies.size() < 2) return lod::Vector<Dim>::Zero();
+    const lod::Vector<Dim> approach = bodies[0].velocity - bodies[1].velocity;
+    return bodies.size() == 2 && approach.norm() > 0 ? approach : way_between(bodies[0], bodies[1]);
+}
+
+template void add_instant<2>(Run<2>&, std::vector<lod::Body<2>>, const lod::FrameRecord<2>&);
+template void add_instant<3>(Run<3>&, std::vector<lod::Body<3>>, const lod::FrameRecord<3>&);
+template lod::Sphere<2> carried_node<2>(const lod::Body<2>&, int);
+template lod::Sphere<3> carried_node<3>(const lod::Body<3>&, int);
+template void take_in<2>(FlatView&, const Actor<2>&);
+template void take_in<3>(SpaceView&, const Actor<3>&);
+template void take_in<2>(FlatView&, const lod::Sphere<2>&);
+template void take_in<3>(SpaceView&, const lod::Sphere<3>&);
+template void take_in<2>(FlatView&, const Run<2>&, std::size_t);
+template void take_in<3>(SpaceView&, const Run<3>&, std::size_t);
+template int first_impact<2>(const Run<2>&);
+template int first_impact<3>(const Run<3>&);
+template lod::Vector<2> way_between<2>(const lod::Body<2>&, const lod::Body<2>&);
+template lod::Vector<3> way_between<3>(const lod::Body<3>&, const lod::Body<3>&);
+template lod::Vector<2> way_of<2>(const Run<2>&);
+template lod::Vector<3> way_of<3>(const Run<3>&);
 
 }  // namespace viz

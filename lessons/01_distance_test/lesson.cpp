@@ -17,8 +17,8 @@ using Vec = lod::Vector<2>;
 struct Scene {
     lod2d::Shape gear_shape;
     lod2d::Shape star_shape;
-    viz::Actor gear;
-    viz::Actor star;
+    viz::Actor<2> gear;
+    viz::Actor<2> star;
     double gear_radius = 0;
     double star_radius = 0;
     std::size_t edge_pairs = 0;

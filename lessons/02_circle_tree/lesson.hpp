@@ -14,7 +14,7 @@ using Facts = std::vector<lod2d::LevelReport>;
 struct Crescent {
     lod2d::Shape shape;
     std::shared_ptr<const Tree> tree;
-    viz::Actor body;
+    viz::Actor<2> body;
     viz::Box view;  ///< holds every circle, so that all pictures share it
     Facts facts;
 };

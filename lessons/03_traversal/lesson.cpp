@@ -25,8 +25,8 @@ constexpr int depth = 4;
 struct Scene {
     lod2d::Shape crescent_shape = scaled(lod2d::generate("crescent"), 2);
     lod2d::Shape star_shape = scaled(lod2d::generate("star:5"), 0.9);
-    viz::Actor crescent = actor("crescent", crescent_shape, tree_of(crescent_shape, depth));
-    viz::Actor star = actor("star", star_shape, tree_of(star_shape, depth));
+    viz::Actor<2> crescent = actor("crescent", crescent_shape, tree_of(crescent_shape, depth));
+    viz::Actor<2> star = actor("star", star_shape, tree_of(star_shape, depth));
     std::vector<Front> levels;
     viz::Box view;
 
@@ -121,7 +121,7 @@ Scene collision() {
     return scene;
 }
 
-std::uint64_t leaves_of(const viz::Actor& actor) {
+std::uint64_t leaves_of(const viz::Actor<2>& actor) {
     const auto& counts = actor.body.tree->child_count;
     return static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), 0));
 }

@@ -62,7 +62,7 @@ viz::Panel bodies_panel(const Scene& scene) {
     return panel;
 }
 
-void add_motion(viz::Panel& panel, const viz::Actor& actor, int index) {
+void add_motion(viz::Panel& panel, const viz::Actor<2>& actor, int index) {
     const Vec x = actor.body.position;
     add_arrow(panel, viz::Role::velocity, x, x + velocity_length * actor.body.velocity,
               index == 0 ? "*v*_a" : "*v*_b", index);
@@ -234,7 +234,7 @@ void step_compliance(Lesson& lesson, const Scene& scene) {
     const Vec n = scene.contact.normal;
     const Vec far = n * 1.2;
     add_line(panel, viz::Role::construction, p - far, p + far);
-    for (const viz::Actor* one : {&scene.gear, &scene.star}) {
+    for (const viz::Actor<2>* one : {&scene.gear, &scene.star}) {
         const Vec x = one->body.position;
         const Vec foot = p + n * n.dot(x - p);
         const int index = one == &scene.gear ? 0 : 1;

@@ -10,8 +10,8 @@ constexpr double impulse_length = 0.8;  ///< metres of arrow for a newton second
 
 /// A gear and a star, and the two nodes between which they are taken to touch.
 struct Scene {
-    viz::Actor gear;
-    viz::Actor star;
+    viz::Actor<2> gear;
+    viz::Actor<2> star;
     lod::Sphere<2> node_a;
     lod::Sphere<2> node_b;
     lod::Contact<2> contact;

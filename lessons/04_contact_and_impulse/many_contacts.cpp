@@ -61,10 +61,10 @@ std::string share_text(double share) {
 void add_landing(viz::Panel& panel, const Landing& landing) {
     constexpr double impulse_length = 0.7;  // metres of arrow for a newton second
     constexpr double velocity_length = 0.6;
-    viz::Actor box_actor;
+    viz::Actor<2> box_actor;
     box_actor.look = {"box", {{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}}}};
     box_actor.body = landing.bodies[1];
-    viz::Actor floor;
+    viz::Actor<2> floor;
     floor.look = {"floor", {{{-1.7, -0.25}, {1.7, -0.25}, {1.7, 0}, {-1.7, 0}}}};
     add_body(panel, floor, 0);
     add_body(panel, box_actor, 1);
@@ -169,8 +169,8 @@ void step_meter(Lesson& lesson) {
 
 /// An L that lands on its foot off its centre, so that it must turn.
 struct LetterLanding {
-    viz::Actor letter;
-    viz::Actor floor;
+    viz::Actor<2> letter;
+    viz::Actor<2> floor;
     std::vector<lod::Impact<2>> impacts;
     std::vector<double> impulses;
     double share = 0;  ///< energy after / before

@@ -64,7 +64,7 @@ void animate(Lesson& lesson, const Scene& start) {
         body.position -= back * body.velocity;
         body.orientation -= back * body.spin[0];
     }
-    viz::Run run;
+    viz::Run<2> run;
     run.name = "interrupted at level " + std::to_string(start.level);
     run.looks = {start.gear.look, start.star.look};
     run.time_step = time_step;
@@ -77,7 +77,7 @@ void animate(Lesson& lesson, const Scene& start) {
     motion.seconds = 3;
     motion.title = "A gear and a star meet at level " + std::to_string(start.level) +
                    " of their trees and part";
-    lesson.animation = viz::impact_motion({run}, motion);
+    lesson.animation = viz::impact_motion<2>({run}, motion);
     lesson.animation.title = motion.title;
 }
 

@@ -28,7 +28,7 @@ int marks_of(const Panel& panel, Role role) {
 }
 
 /// Two discs of one node each, meeting head-on (m 1, v 2 meets m 3, v -1).
-Run head_on(int frames) {
+Run<2> head_on(int frames) {
     const auto disc = [](double mass, double x, double speed) {
         lod::Body<2> body;
         lod::set_mass<2>(body, mass, lod::Inertia<2>::Constant(1));
@@ -37,7 +37,7 @@ Run head_on(int frames) {
         body.velocity = {speed, 0};
         return body;
     };
-    Run run;
+    Run<2> run;
     run.name = "exact";
     run.time_step = 1.0 / 64;
     run.looks = {{"A", {}}, {"B", {}}};
@@ -57,7 +57,7 @@ Run head_on(int frames) {
 }  // namespace
 
 TEST_CASE("the montage of a tree has a panel a level with that level's nodes", "[drawings]") {
-    const Actor actor = sample::actor("L", 0, 0, 0, 3);
+    const Actor<2> actor = sample::actor("L", 0, 0, 0, 3);
     const Figure figure = tree_levels(actor);
     REQUIRE(static_cast<int>(figure.panels.size()) == actor.body.tree->levels());
     for (int level = 0; level < actor.body.tree->levels(); ++level)
@@ -72,8 +72,8 @@ TEST_CASE("a montage of many levels shows the first five and the last", "[drawin
 
 TEST_CASE("a traversal's bold nodes are those of the front, the thin ones those tested",
           "[drawings]") {
-    const Actor a = sample::actor("box", 0, 0, 0.3, 3);
-    const Actor b = sample::actor("star:5", 0.95, 0.1, 0, 3);
+    const Actor<2> a = sample::actor("box", 0, 0, 0.3, 3);
+    const Actor<2> b = sample::actor("star:5", 0.95, 0.1, 0, 3);
     const auto fronts = lod::traverse_levels(a.body, b.body);
     const Figure figure = traversal(a, b, fronts);
     for (std::size_t level = 0; level < fronts.size(); ++level) {
@@ -95,8 +95,8 @@ TEST_CASE("a traversal's bold nodes are those of the front, the thin ones those 
 }
 
 TEST_CASE("a traversal of bodies that are apart says so", "[drawings]") {
-    const Actor a = sample::actor("star:5", 0, 0, 0, 4);
-    const Actor b = sample::actor("star:5", 0.9, 0.4, 0.2, 4);
+    const Actor<2> a = sample::actor("star:5", 0, 0, 0, 4);
+    const Actor<2> b = sample::actor("star:5", 0.9, 0.4, 0.2, 4);
     const auto fronts = lod::traverse_levels(a.body, b.body);
     REQUIRE(fronts.back().verdict == lod::Verdict::apart);
     const Figure figure = traversal(a, b, fronts);
@@ -115,8 +115,8 @@ TEST_CASE("the construction of a contact states both points", "[drawings]") {
 }
 
 TEST_CASE("a strip shows start, detection and after of every run", "[drawings]") {
-    const Run run = head_on(64);
-    const Figure figure = strips({run, run});
+    const Run<2> run = head_on(64);
+    const Figure figure = strips<2>({run, run});
     REQUIRE(figure.panels.size() == 6);
     CHECK(figure.row_titles == std::vector<std::string>{"exact", "exact"});
     // One true collision of two leaves, one contact, one impulse of j = 4.5.
@@ -135,8 +135,8 @@ TEST_CASE("a strip shows start, detection and after of every run", "[drawings]")
 }
 
 TEST_CASE("the panels of a strip share one view, which holds all that moves", "[drawings]") {
-    const Run run = head_on(64);
-    const Figure figure = strips({run});
+    const Run<2> run = head_on(64);
+    const Figure figure = strips<2>({run});
     const Box& view = figure.panels[0].view;
     for (const Panel& panel : figure.panels) {
         CHECK(panel.view.low == view.low);
@@ -147,15 +147,15 @@ TEST_CASE("the panels of a strip share one view, which holds all that moves", "[
 }
 
 TEST_CASE("a run that never collides says so in its strip", "[drawings]") {
-    const Run run = head_on(5);
-    const Figure figure = strips({run});
+    const Run<2> run = head_on(5);
+    const Figure figure = strips<2>({run});
     CHECK(figure.panels[1].title == "no collision");
     CHECK_THAT(figure.alt, Catch::Contains("no collision"));
-    CHECK_THROWS_AS(strips({Run{}}), lod::Error);
+    CHECK_THROWS_AS(strips<2>({Run<2>{}}), lod::Error);
 }
 
 TEST_CASE("bodies between two instants stand on the straight way between them", "[drawings]") {
-    const Run run = head_on(64);
+    const Run<2> run = head_on(64);
     const auto bodies = bodies_at(run, 2.5 * run.time_step);
     CHECK(bodies[0].position.x() == Approx(-1 + 2 * 2.5 / 64));
     CHECK(bodies_at(run, 1e9)[0].position == run.instants.back().bodies[0].position);
@@ -163,8 +163,8 @@ TEST_CASE("bodies between two instants stand on the straight way between them", 
 
 TEST_CASE("the video of a collision pauses at the detection and ends where it begins",
           "[drawings]") {
-    const Run run = head_on(64);
-    const Animation animation = impact_motion({run});
+    const Run<2> run = head_on(64);
+    const Animation animation = impact_motion<2>({run});
     int with_contact = 0;
     for (const Shot& shot : animation.shots)
         with_contact += marks_of<Dot>(shot.draw().panels[0], Role::contact) > 0 ? 1 : 0;
@@ -178,7 +178,7 @@ TEST_CASE("the video of a collision pauses at the detection and ends where it be
 }
 
 TEST_CASE("a simulation's picture tells time and energy", "[drawings]") {
-    const Run run = head_on(64);
+    const Run<2> run = head_on(64);
     const Figure figure = simulation_picture(run, 0.5);
     REQUIRE(figure.panels.size() == 3);
     CHECK(figure.numbers[0].value == "0.50\u00A0s");

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/dimension.hpp"
+#include "lod3d/mesh.hpp"
+#include "viz/figure.hpp"
+
+// The geometry of pictures of space: cameras, and meshes made ready to be drawn. World frame,
+// metres, y up.
+
+namespace viz {
+
+[[nodiscard]] inline Point3 point3(const lod::Vector<3>& v) {
+    return {v.x(), v.y(), v.z()};
+}
+[[nodiscard]] inline lod::Vector<3> vector3(Point3 p) {
+    return {p.x, p.y, p.z};
+}
+
+/// The camera's axes: orthonormal, right-handed as (right, up, -forward).
+struct CameraAxes {
+    lod::Vector<3> right;
+    lod::Vector<3> up;
+    lod::Vector<3> forward;
+};
+[[nodiscard]] CameraAxes axes_of(const Camera& camera);
+
+/// A camera that looks at `target` from the distance [m], from `azimuth` about y (0: it looks along
+/// -z; growing, the eye moves towards +x) and `elevation` above the ground [rad], less than a right
+/// angle.
+[[nodiscard]] Camera orbit(const lod::Vector<3>& target, double distance, double azimuth,
+                           double elevation, bool perspective);
+
+/// The point on the panel (see Camera). In perspective a point behind the eye has none: it is taken
+/// as if it lay just in front.
+[[nodiscard]] Point project(const Camera& camera, const lod::Vector<3>& point);
+
+/// How far in front of the eye a point lies, along the view [m].
+[[nodiscard]] double depth_of(const Camera& camera, const lod::Vector<3>& point);
+
+/// How much larger a metre at that point shows than one at the target: 1 in orthographic views.
+[[nodiscard]] double magnification(const Camera& camera, const lod::Vector<3>& point);
+
+/// Makes a mesh ready to be drawn: smooth normals but over edges sharper than 40 degrees, its edges
+/// and its outermost points. Requires: numbers checked (lod3d::check_numbers).
+[[nodiscard]] Surface surface_of(const lod3d::Mesh& mesh);
+
+}  // namespace viz
