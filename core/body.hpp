@@ -9,21 +9,26 @@
 
 namespace lod {
 
+template <int Dim>
+class ExactShape;
+
 /// A rigid body (the paper's figure 7). World frame unless said otherwise; SI units.
 /// A static body has inverse_mass = 0 and inverse_inertia = 0: no impulse moves it.
 template <int Dim>
 struct Body {
-    double inverse_mass = 0;                                 ///< [1/kg], >= 0
-    Inertia<Dim> inertia = Inertia<Dim>::Zero();             ///< body frame [kg m^2]
-    Inertia<Dim> inverse_inertia = Inertia<Dim>::Zero();     ///< body frame
-    double restitution = 1;                                  ///< 0 to 1; a pair takes the smaller
+    double inverse_mass = 0;                              ///< [1/kg], >= 0
+    Inertia<Dim> inertia = Inertia<Dim>::Zero();          ///< body frame [kg m^2]
+    Inertia<Dim> inverse_inertia = Inertia<Dim>::Zero();  ///< body frame
+    double restitution = 1;                               ///< 0 to 1; a pair takes the smaller
 
-    Vector<Dim> position = Vector<Dim>::Zero();              ///< of the centre of mass [m]
+    Vector<Dim> position = Vector<Dim>::Zero();  ///< of the centre of mass [m]
     Orientation<Dim> orientation = Space<Dim>::unturned();
-    Vector<Dim> velocity = Vector<Dim>::Zero();              ///< of the centre of mass [m/s]
-    Spin<Dim> spin = Spin<Dim>::Zero();                      ///< [rad/s]
+    Vector<Dim> velocity = Vector<Dim>::Zero();  ///< of the centre of mass [m/s]
+    Spin<Dim> spin = Spin<Dim>::Zero();          ///< [rad/s]
 
-    std::shared_ptr<const SphereTree<Dim>> tree;             ///< the paper's body_S
+    std::shared_ptr<const SphereTree<Dim>> tree;  ///< the paper's body_S
+    /// The true shape, for the finest level of detail; without it the body stops at its leaves.
+    std::shared_ptr<const ExactShape<Dim>> exact;
 
     [[nodiscard]] bool is_static() const { return inverse_mass == 0; }
 };

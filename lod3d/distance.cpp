@@ -89,6 +89,10 @@ std::vector<Point> normals_of_sides(const Mesh& mesh, const std::vector<Point>& 
 
 }  // namespace
 
+Point nearest_on_triangle(const TriangleTree::Corners& t, const Point& p) {
+    return nearest_on(t, p).point;
+}
+
 MeshDistance::MeshDistance(const Mesh& mesh, InsideRule rule)
     : tree_(mesh), wide_(tree_), rule_(rule) {
     if (rule_ == InsideRule::nearest_normal) find_normals(mesh);

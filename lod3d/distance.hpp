@@ -18,6 +18,9 @@ struct Nearest {
     Point normal = Point::Zero();
 };
 
+/// The point of a triangle that is nearest to p.
+[[nodiscard]] Point nearest_on_triangle(const TriangleTree::Corners& t, const Point& p);
+
 /// How a point is told to be inside.
 enum class InsideRule {
     nearest_normal,  ///< by the side of the nearest surface: quick; for parts that do not overlap

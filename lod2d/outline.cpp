@@ -1,0 +1,88 @@
+#include "lod2d/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "lod2d/orientation.hpp"
+
+namespace lod2d {
+namespace {
+
+using Pair = lod::PartPair<2>;
+
+lod::ConvexPart<2> part_of(const lod::Facet<2>& edge) {
+    lod::ConvexPart<2> part;
+    part.corner[0] = edge[0];
+    part.corner[1] = edge[1];
+    part.count = 2;
+    return part;
+}
+
+Point outward(const lod::Facet<2>& edge) {
+    const Point along = edge[1] - edge[0];
+    return Point(along.y(), -along.x()).normalized();
+}
+
+}  // namespace
+
+lod::PartPair<2> nearest_edges(const lod::Facet<2>& a, const lod::Facet<2>& b, double feet_within) {
+    Pair pair;
+    pair.a = part_of(a);
+    pair.b = part_of(b);
+    if (segments_meet(a[0], a[1], b[0], b[1])) return pair;
+    const std::array<Pair::Feet, 4> feet{{{a[0], nearest_on_segment(b[0], b[1], a[0])},
+                                          {a[1], nearest_on_segment(b[0], b[1], a[1])},
+                                          {nearest_on_segment(a[0], a[1], b[0]), b[0]},
+                                          {nearest_on_segment(a[0], a[1], b[1]), b[1]}}};
+    const auto length = [](const Pair::Feet& f) { return (f.on_b - f.on_a).norm(); };
+    pair.nearest = *std::ranges::min_element(feet, {}, length);
+    pair.distance = length(pair.nearest);
+    for (const Pair::Feet& f : feet)
+        if (length(f) <= feet_within) pair.feet[pair.feet_count++] = f;
+    pair.add_direction(outward(a));
+    pair.add_direction(-outward(b));
+    pair.firm_directions = pair.directions;
+    if (pair.distance > 0)
+        pair.add_direction((pair.nearest.on_b - pair.nearest.on_a) / pair.distance);
+    return pair;
+}
+
+Outline::Outline(const Shape& shape) : index_(shape.polygon) {
+    for (const Ring& ring : shape.polygon.rings) {
+        witnesses_.push_back(ring.front());
+        for (const Point& p : ring) radius_ = std::max(radius_, p.norm());
+    }
+    if (witnesses_.empty())
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         shape.name + ": an empty polygon has no outline");
+}
+
+lod::BoxNode<2> Outline::box_node(std::int32_t i) const {
+    const BoundaryIndex::Node& node = index_.nodes()[static_cast<std::size_t>(i)];
+    return {node.box.min(), node.box.max(), node.right, node.first_edge, node.last_edge};
+}
+
+lod::Facet<2> Outline::facet(std::int32_t edge) const {
+    return {index_.edge_start(edge), index_.edge_end(edge)};
+}
+
+void Outline::visit_pairs(const lod::ExactShape<2>& b, const lod::Placement<2>& b_in_a,
+                          lod::PartVisitor<2>& visitor) const {
+    const auto* other = dynamic_cast<const Outline*>(&b);
+    if (!other)
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         "an outline meets outlines only; give both bodies one");
+    lod::walk_pairs<2>(*this, *other, b_in_a, nearest_edges, visitor);
+}
+
+void Outline::keep_corners(const Point& normal, double tolerance,
+                           std::vector<lod::Contact<2>>& contacts) const {
+    const Point along(-normal.y(), normal.x());
+    const auto place = [&](const lod::Contact<2>& c) { return along.dot(c.point); };
+    const auto [first, last] = std::ranges::minmax(contacts, {}, place);
+    contacts = {first};
+    if (place(last) - place(first) > tolerance) contacts.push_back(last);
+}
+
+}  // namespace lod2d
