@@ -83,6 +83,15 @@ struct Space {
         }
     }
 
+    /// A spin seen from the other frame: from the body frame to the world frame by the rotation,
+    /// and back by its transpose.
+    static Spin carried_spin(const Matrix& rotation, const Spin& spin) {
+        if constexpr (Dim == 2)
+            return spin;
+        else
+            return rotation * spin;
+    }
+
     /// Into how many steps free_turn must be split so that its iteration settles (it contracts by a
     /// factor of 4 a round); at most 1000.
     static int free_turn_steps(const Matrix& rotation, const Inertia& inertia,
