@@ -106,7 +106,7 @@ void CollisionLog<Dim>::add(double time, int a, int b, std::span<const lod::Body
 template <int Dim>
 std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
                                           std::span<const lod::Body<Dim>> bodies,
-                                          const Shapes<Dim>& shapes, double pause) {
+                                          const BodyShapes<Dim>& shapes, double pause) {
     CollisionLog<Dim> log(shapes, pause);
     std::vector<lod::Body<Dim>> before(bodies.begin(), bodies.end());
     std::vector<lod::Body<Dim>> after = before;
@@ -128,7 +128,7 @@ std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
     return log.collisions();
 }
 
-std::vector<Collision<2>> collisions_of(const lod2d::Box2dRun& run, const Shapes<2>& shapes,
+std::vector<Collision<2>> collisions_of(const lod2d::Box2dRun& run, const BodyShapes<2>& shapes,
                                         double pause) {
     CollisionLog<2> log(shapes, pause);
     for (const lod2d::Box2dImpact& impact : run.impacts) {
@@ -173,11 +173,11 @@ Matching match(std::span<const Collision<Dim>> reference, std::span<const Collis
     return matching;
 }
 
-#define MEASURE_INSTANTIATE(Dim)                                                               \
-    template class CollisionLog<Dim>;                                                          \
-    template std::vector<Collision<Dim>> collisions_of(                                        \
-        const scenes::Run<Dim>&, std::span<const lod::Body<Dim>>, const Shapes<Dim>&, double); \
-    template Matching match(std::span<const Collision<Dim>>, std::span<const Collision<Dim>>,  \
+#define MEASURE_INSTANTIATE(Dim)                                                                   \
+    template class CollisionLog<Dim>;                                                              \
+    template std::vector<Collision<Dim>> collisions_of(                                            \
+        const scenes::Run<Dim>&, std::span<const lod::Body<Dim>>, const BodyShapes<Dim>&, double); \
+    template Matching match(std::span<const Collision<Dim>>, std::span<const Collision<Dim>>,      \
                             double);
 MEASURE_INSTANTIATE(2)
 MEASURE_INSTANTIATE(3)

@@ -12,9 +12,9 @@ namespace measure {
 
 /// What is asked of the true shapes of a scene's bodies.
 template <int Dim>
-class Shapes {
+class BodyShapes {
   public:
-    virtual ~Shapes() = default;
+    virtual ~BodyShapes() = default;
     /// Diameter of the ball about the centre of mass that holds the shape of a body [m], > 0.
     [[nodiscard]] virtual double size(int body) const = 0;
     /// Between the shapes of bodies a and b where these states bring them [m]; where they overlap,
@@ -47,7 +47,7 @@ template <int Dim>
 class CollisionLog {
   public:
     /// `shapes` must outlive the log. Requires pause >= 0.
-    explicit CollisionLog(const Shapes<Dim>& shapes, double pause = one_collision)
+    explicit CollisionLog(const BodyShapes<Dim>& shapes, double pause = one_collision)
         : shapes_(shapes), pause_(pause) {}
 
     /// One push, none before an earlier one; states of all bodies at that instant. Requires a != b.
@@ -57,7 +57,7 @@ class CollisionLog {
     [[nodiscard]] const std::vector<Collision<Dim>>& collisions() const { return collisions_; }
 
   private:
-    const Shapes<Dim>& shapes_;
+    const BodyShapes<Dim>& shapes_;
     double pause_;
     std::vector<Collision<Dim>> collisions_;
 };
@@ -68,12 +68,12 @@ class CollisionLog {
 template <int Dim>
 [[nodiscard]] std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
                                                         std::span<const lod::Body<Dim>> bodies,
-                                                        const Shapes<Dim>& shapes,
+                                                        const BodyShapes<Dim>& shapes,
                                                         double pause = one_collision);
 
 /// The same of a run by Box2D.
 [[nodiscard]] std::vector<Collision<2>> collisions_of(const lod2d::Box2dRun& run,
-                                                      const Shapes<2>& shapes,
+                                                      const BodyShapes<2>& shapes,
                                                       double pause = one_collision);
 
 /// Which collisions of two runs are the same event.

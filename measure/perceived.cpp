@@ -4,19 +4,13 @@
 #include <cmath>
 #include <set>
 
+#include "measure/first_impact.hpp"
+
 namespace measure {
 namespace {
 
 template <int Dim>
 using Two = std::array<lod::Body<Dim>, 2>;
-
-/// Between two directions [rad], by a formula that keeps its digits near 0 and pi (Kahan).
-template <int Dim>
-double angle_between(const lod::Vector<Dim>& u, const lod::Vector<Dim>& v) {
-    const lod::Vector<Dim> a = u.normalized();
-    const lod::Vector<Dim> b = v.normalized();
-    return 2 * std::atan2((a - b).norm(), (a + b).norm());
-}
 
 double two_sided(double value, double above, double below) {
     return value >= 0 ? value / above : -value / below;
@@ -94,7 +88,7 @@ std::vector<bool> firsts(std::span<const Collision<Dim>> collisions) {
 
 template <int Dim>
 Perceived perceived(const Collision<Dim>& reference, const Collision<Dim>& seen,
-                    const Shapes<Dim>& shapes, const PerceivedSettings& settings) {
+                    const BodyShapes<Dim>& shapes, const PerceivedSettings& settings) {
     const std::array<double, 2> sizes{shapes.size(reference.a), shapes.size(reference.b)};
     const double size = std::min(sizes[0], sizes[1]);
     const double pace = pace_of<Dim>(reference.before, sizes);
@@ -130,7 +124,7 @@ PerceivedCost cost_of(const Perceived& error, const PerceivedSettings& settings)
 
 template <int Dim>
 PerceivedError perceived_error(std::span<const Collision<Dim>> reference,
-                               std::span<const Collision<Dim>> seen, const Shapes<Dim>& shapes,
+                               std::span<const Collision<Dim>> seen, const BodyShapes<Dim>& shapes,
                                const PerceivedSettings& settings) {
     Matching matching = match<Dim>(reference, seen, settings.window);
     const std::vector<bool> first_of_reference = firsts<Dim>(reference);
@@ -158,12 +152,12 @@ PerceivedError perceived_error(std::span<const Collision<Dim>> reference,
     return result;
 }
 
-#define MEASURE_INSTANTIATE(Dim)                                                                   \
-    template Perceived perceived(const Collision<Dim>&, const Collision<Dim>&, const Shapes<Dim>&, \
-                                 const PerceivedSettings&);                                        \
-    template PerceivedError perceived_error(std::span<const Collision<Dim>>,                       \
-                                            std::span<const Collision<Dim>>, const Shapes<Dim>&,   \
-                                            const PerceivedSettings&);
+#define MEASURE_INSTANTIATE(Dim)                                                    \
+    template Perceived perceived(const Collision<Dim>&, const Collision<Dim>&,      \
+                                 const BodyShapes<Dim>&, const PerceivedSettings&); \
+    template PerceivedError perceived_error(std::span<const Collision<Dim>>,        \
+                                            std::span<const Collision<Dim>>,        \
+                                            const BodyShapes<Dim>&, const PerceivedSettings&);
 MEASURE_INSTANTIATE(2)
 MEASURE_INSTANTIATE(3)
 #undef MEASURE_INSTANTIATE

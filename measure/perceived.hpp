@@ -88,7 +88,7 @@ struct PerceivedError {
 /// The components of one collision. Requires: the same two bodies.
 template <int Dim>
 [[nodiscard]] Perceived perceived(const Collision<Dim>& reference, const Collision<Dim>& seen,
-                                  const Shapes<Dim>& shapes,
+                                  const BodyShapes<Dim>& shapes,
                                   const PerceivedSettings& settings = {});
 
 [[nodiscard]] PerceivedCost cost_of(const Perceived& error, const PerceivedSettings& settings);
@@ -97,7 +97,7 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] PerceivedError perceived_error(std::span<const Collision<Dim>> reference,
                                              std::span<const Collision<Dim>> seen,
-                                             const Shapes<Dim>& shapes,
+                                             const BodyShapes<Dim>& shapes,
                                              const PerceivedSettings& settings = {});
 
 }  // namespace measure

@@ -8,7 +8,7 @@
 namespace measuretest {
 
 /// Shapes whose sizes and separations are given, not made.
-class GivenShapes final : public measure::Shapes<2> {
+class GivenShapes final : public measure::BodyShapes<2> {
   public:
     std::vector<double> sizes{1, 1, 1, 1};
     double apart = 0;

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lod2d/generators.hpp"
-#include "measure/plane_shapes.hpp"
+#include "measure/plane_bodies.hpp"
 #include "scenes/setup.hpp"
 #include "tests/catch.hpp"
 #include "tests/measure/collision.hpp"
@@ -84,7 +84,7 @@ TEST_CASE("two boxes are apart by their gap, or as deep as a corner lies in the 
           "[measure]") {
     const lod2d::Shape box = lod2d::generate("box:1,1");
     const lod2d::Shape* const boxes[] = {&box, &box};
-    const PlaneShapes shapes(boxes);
+    const PlaneBodies shapes(boxes);
     CHECK(shapes.size(0) == Approx(std::sqrt(2)));
     lod::Body<2> a = unit_body({0, 0});
     lod::Body<2> b = a;
@@ -111,7 +111,7 @@ TEST_CASE("a run by lodlab and one by Box2D show the same collision of two boxes
     )",
                                                           "boxes.toml"));
     const lod2d::Shape* const outlines[] = {setup.shapes[0].get(), setup.shapes[1].get()};
-    const PlaneShapes shapes(outlines);
+    const PlaneBodies shapes(outlines);
     scenes::RunOptions options;
     options.settings = scenes::frame_settings(setup.scene, {});
     options.frames = setup.scene.frames();

@@ -1,4 +1,4 @@
-#include "measure/plane_shapes.hpp"
+#include "measure/plane_bodies.hpp"
 
 #include <algorithm>
 
@@ -27,7 +27,7 @@ double deepest_corner(const lod2d::BoundaryIndex& of, const lod2d::BoundaryIndex
 
 }  // namespace
 
-PlaneShapes::PlaneShapes(std::span<const lod2d::Shape* const> shapes) {
+PlaneBodies::PlaneBodies(std::span<const lod2d::Shape* const> shapes) {
     for (const lod2d::Shape* shape : shapes) {
         outlines_.emplace_back(shape->polygon);
         double squared = 0;
@@ -37,11 +37,11 @@ PlaneShapes::PlaneShapes(std::span<const lod2d::Shape* const> shapes) {
     }
 }
 
-double PlaneShapes::size(int body) const {
+double PlaneBodies::size(int body) const {
     return sizes_[at(body)];
 }
 
-double PlaneShapes::separation(int a, const lod::Body<2>& state_a, int b,
+double PlaneBodies::separation(int a, const lod::Body<2>& state_a, int b,
                                const lod::Body<2>& state_b) const {
     const auto outline_a = outlines_[at(a)].carried({state_a.position, state_a.orientation});
     const auto outline_b = outlines_[at(b)].carried({state_b.position, state_b.orientation});

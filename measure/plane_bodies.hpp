@@ -8,10 +8,10 @@
 namespace measure {
 
 /// The true shapes of a scene of the plane.
-class PlaneShapes final : public Shapes<2> {
+class PlaneBodies final : public BodyShapes<2> {
   public:
     /// Entry k is the shape of body k, body frame; they must outlive this.
-    explicit PlaneShapes(std::span<const lod2d::Shape* const> shapes);
+    explicit PlaneBodies(std::span<const lod2d::Shape* const> shapes);
 
     [[nodiscard]] double size(int body) const override;
     /// The depth counts corners of either outline that lie within the other, each to the nearest
