@@ -26,7 +26,7 @@ namespace {
 
 struct Kind {
     lod2d::Shape shape;
-    std::shared_ptr<const lod2d::Outline> outline;
+    std::shared_ptr<const lod2d::ExactOutline> outline;
 };
 
 std::vector<Kind> kinds() {
@@ -34,7 +34,7 @@ std::vector<Kind> kinds() {
     for (const char* spec : {"box", "L", "star:5", "star:9", "triangle", "T", "cross", "gear:9",
                              "arrow", "U", "polygon:7"}) {
         const lod2d::Shape shape = lod2d::generate(spec);
-        list.push_back({shape, std::make_shared<lod2d::Outline>(shape)});
+        list.push_back({shape, std::make_shared<lod2d::ExactOutline>(shape)});
     }
     return list;
 }

@@ -48,7 +48,7 @@ lod::PartPair<2> nearest_edges(const lod::Facet<2>& a, const lod::Facet<2>& b, d
     return pair;
 }
 
-Outline::Outline(const Shape& shape) : index_(shape.polygon) {
+ExactOutline::ExactOutline(const Shape& shape) : index_(shape.polygon) {
     for (const Ring& ring : shape.polygon.rings) {
         witnesses_.push_back(ring.front());
         for (const Point& p : ring) radius_ = std::max(radius_, p.norm());
@@ -58,26 +58,26 @@ Outline::Outline(const Shape& shape) : index_(shape.polygon) {
                          shape.name + ": an empty polygon has no outline");
 }
 
-lod::BoxNode<2> Outline::box_node(std::int32_t i) const {
+lod::BoxNode<2> ExactOutline::box_node(std::int32_t i) const {
     const BoundaryIndex::Node& node = index_.nodes()[static_cast<std::size_t>(i)];
     return {node.box.min(), node.box.max(), node.right, node.first_edge, node.last_edge};
 }
 
-lod::Facet<2> Outline::facet(std::int32_t edge) const {
+lod::Facet<2> ExactOutline::facet(std::int32_t edge) const {
     return {index_.edge_start(edge), index_.edge_end(edge)};
 }
 
-void Outline::visit_pairs(const lod::ExactShape<2>& b, const lod::Placement<2>& b_in_a,
-                          lod::PartVisitor<2>& visitor) const {
-    const auto* other = dynamic_cast<const Outline*>(&b);
+void ExactOutline::visit_pairs(const lod::ExactShape<2>& b, const lod::Placement<2>& b_in_a,
+                               lod::PartVisitor<2>& visitor) const {
+    const auto* other = dynamic_cast<const ExactOutline*>(&b);
     if (!other)
         throw lod::Error(lod::ErrorKind::input_refused,
                          "an outline meets outlines only; give both bodies one");
     lod::walk_pairs<2>(*this, *other, b_in_a, nearest_edges, visitor);
 }
 
-void Outline::keep_corners(const Point& normal, double tolerance,
-                           std::vector<lod::Contact<2>>& contacts) const {
+void ExactOutline::keep_corners(const Point& normal, double tolerance,
+                                std::vector<lod::Contact<2>>& contacts) const {
     const Point along(-normal.y(), normal.x());
     const auto place = [&](const lod::Contact<2>& c) { return along.dot(c.point); };
     const auto [first, last] = std::ranges::minmax(contacts, {}, place);

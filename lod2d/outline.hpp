@@ -8,9 +8,9 @@
 namespace lod2d {
 
 /// A polygon as a body's exact shape.
-class Outline final : public lod::ExactShape<2> {
+class ExactOutline final : public lod::ExactShape<2> {
   public:
-    explicit Outline(const Shape& shape);
+    explicit ExactOutline(const Shape& shape);
 
     [[nodiscard]] double radius() const override { return radius_; }
     [[nodiscard]] std::span<const Point> witnesses() const override { return witnesses_; }

@@ -29,7 +29,7 @@ struct Boxes;
 template <>
 struct Boxes<2> {
     static std::shared_ptr<const lod::ExactShape<2>> make(double width, double height) {
-        return std::make_shared<lod2d::Outline>(lod2d::generate(box_spec(width, height)));
+        return std::make_shared<lod2d::ExactOutline>(lod2d::generate(box_spec(width, height)));
     }
 };
 template <>

@@ -20,7 +20,7 @@ namespace {
 
 struct Kind {
     explicit Kind(const char* spec)
-        : shape(lod2d::generate(spec)), outline(std::make_shared<lod2d::Outline>(shape)) {}
+        : shape(lod2d::generate(spec)), outline(std::make_shared<lod2d::ExactOutline>(shape)) {}
 
     [[nodiscard]] lod::Body<2> body(double mass, lod::Vector<2> position,
                                     lod::Vector<2> velocity) const {
@@ -34,7 +34,7 @@ struct Kind {
     }
 
     lod2d::Shape shape;
-    std::shared_ptr<const lod2d::Outline> outline;
+    std::shared_ptr<const lod2d::ExactOutline> outline;
 };
 
 }  // namespace
