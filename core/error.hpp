@@ -25,6 +25,9 @@ class Error : public std::runtime_error {
     ErrorKind kind_;
 };
 
+/// Throws Error, input refused: "name: why".
+[[noreturn]] void refuse_input(const std::string& name, const std::string& why);
+
 /// Thrown by check_interrupted() when a signal asked the program to stop.
 class Interrupted : public std::runtime_error {
   public:

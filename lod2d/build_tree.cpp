@@ -15,32 +15,25 @@ namespace {
 
 constexpr std::array<Builder, 3> all_builders{Builder::quadtree, Builder::pieces, Builder::medial};
 
-template <class Config>
-Config configured(const TreeSettings& settings) {
-    Config config;
-    config.branching = settings.branching;
-    config.depth = settings.depth;
-    config.least_protrusion = settings.least_protrusion;
-    config.progress = settings.progress;
-    return config;
-}
-
 lod::SphereTree<2> built(const Shape& shape, const PolygonPiece& whole,
                          const TreeSettings& settings) {
     const BoundaryIndex index(shape.polygon);
+    lod::GrowSettings grow;
+    grow.branching = settings.branching;
+    grow.depth = settings.depth;
+    grow.least_protrusion = settings.least_protrusion;
+    grow.progress = settings.progress;
     switch (settings.builder) {
         case Builder::quadtree:
             if (settings.branching != 4)
                 throw lod::Error(lod::ErrorKind::usage,
                                  "a quadtree has branching 4; choose that or another builder");
-            return build_quadtree(whole, {settings.depth, settings.progress});
+            return build_quadtree(whole, grow);
         case Builder::pieces:
-            return build_pieces(whole, index, configured<PiecesConfig>(settings));
-        case Builder::medial: {
-            auto config = configured<MedialConfig>(settings);
-            config.normal_weight = settings.normal_weight;
-            return build_medial(shape.polygon, whole, index, config);
-        }
+            return build_pieces(whole, index, grow);
+        case Builder::medial:
+            grow.normal_weight = settings.normal_weight;
+            return build_medial(shape.polygon, whole, index, {.grow = grow});
     }
     throw lod::Error(lod::ErrorKind::usage, "there is no such builder of circle trees");
 }

@@ -24,10 +24,10 @@ class MedialStarts : public DiscFit {
   public:
     MedialStarts(const Polygon& polygon, const BoundaryIndex& shape, double spare,
                  const MedialConfig& config)
-        : DiscFit(shape, spare, config.normal_weight > 0 ? config.most_growth : no_limit),
+        : DiscFit(shape, spare, config.grow.normal_weight > 0 ? config.most_growth : no_limit),
           axis_(polygon),
           samples_(config.samples),
-          normal_weight_(config.normal_weight) {
+          normal_weight_(config.grow.normal_weight) {
         for (const Ring& ring : polygon.rings)
             for (std::size_t i = 0; i < ring.size(); ++i)
                 edges_.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
@@ -105,23 +105,13 @@ lod::SphereTree<2> build_medial(const Polygon& polygon, const PolygonPiece& whol
         throw lod::Error(lod::ErrorKind::limit_exceeded,
                          "cannot build the tree: " + std::to_string(config.samples) +
                              " samples are out of range; choose 8 to 512");
-    Disc root = lod::enclosing_ball<2>(whole.vertices());
-    root.radius += lod::rounding_bound(root);
-    if (!(config.normal_weight >= 0 && config.normal_weight <= 100 && config.most_growth >= 1))
+    if (!(config.most_growth >= 1))
         throw lod::Error(lod::ErrorKind::limit_exceeded,
-                         "cannot build the tree: the weight of the normals or the growth is out of "
-                         "range; choose a weight of 0 to 100 and a growth of 1 or more");
-    lod::GrowSettings settings;
-    settings.branching = config.branching;
-    settings.depth = config.depth;
-    settings.least_protrusion = config.least_protrusion * 2 * root.radius;
-    settings.look_ahead_above = config.look_ahead_above * 2 * root.radius;
-    settings.normal_weight = config.normal_weight;
-    settings.most_rounds = config.most_rounds;
-    settings.progress = config.progress;
-    lod::check_grow_settings(settings);
+                         "cannot build the tree: the growth is out of range; choose 1 or more");
+    lod::check_grow_settings(config.grow);
+    const Disc root = lod::root_ball<2>(whole);
     const MedialStarts strategy(polygon, shape, lod::rounding_bound(root), config);
-    return lod::grow_tree<2>(whole, root, strategy, settings);
+    return lod::grow_tree<2>(whole, root, strategy, config.grow);
 }
 
 }  // namespace lod2d

@@ -21,17 +21,9 @@ struct GeometricStarts : DiscFit {
 }  // namespace
 
 lod::SphereTree<2> build_pieces(const PolygonPiece& whole, const BoundaryIndex& shape,
-                                const PiecesConfig& config) {
-    lod::Sphere<2> root = lod::enclosing_ball<2>(whole.vertices());
-    root.radius += lod::rounding_bound(root);
+                                const lod::GrowSettings& settings) {
+    const lod::Sphere<2> root = lod::root_ball<2>(whole);
     const GeometricStarts strategy(shape, lod::rounding_bound(root));
-    lod::GrowSettings settings;
-    settings.branching = config.branching;
-    settings.depth = config.depth;
-    settings.least_protrusion = config.least_protrusion * 2 * root.radius;
-    settings.look_ahead_above = config.look_ahead_above * 2 * root.radius;
-    settings.most_rounds = config.most_rounds;
-    settings.progress = config.progress;
     return lod::grow_tree<2>(whole, root, strategy, settings);
 }
 

@@ -4,11 +4,9 @@
 
 namespace lod2d {
 
-lod::SphereTree<2> build_quadtree(const PolygonPiece& whole, const QuadtreeConfig& config) {
-    lod::GrowSettings limits;
-    limits.depth = config.depth;
-    lod::check_grow_settings(limits);
-    return lod::grow_grid_tree<2>(whole, config.depth, config.progress);
+lod::SphereTree<2> build_quadtree(const PolygonPiece& whole, const lod::GrowSettings& settings) {
+    lod::check_grow_settings(settings);
+    return lod::grow_grid_tree<2>(whole, settings.depth, settings.progress);
 }
 
 }  // namespace lod2d

@@ -9,13 +9,10 @@ namespace lod2d {
 /// halved both ways again and again, and each square that holds some of the shape gets the circle
 /// through its corners. The shape's content of the squares is what the nodes own: on a grid, equal
 /// circles have the grid's lines as their power diagram, so that the certificate holds.
-struct QuadtreeConfig {
-    int depth = 4;                           ///< levels below the root, 0 to 10
-    std::function<void(double)> progress{};  ///< share of the work done
-};
-
-/// Throws lod::Error (limit exceeded) where the depth is out of range.
+///
+/// Of the settings depth and progress count. Throws lod::Error (limit exceeded) where the depth is
+/// out of range.
 [[nodiscard]] lod::SphereTree<2> build_quadtree(const PolygonPiece& whole,
-                                                const QuadtreeConfig& config);
+                                                const lod::GrowSettings& settings);
 
 }  // namespace lod2d

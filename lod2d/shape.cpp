@@ -11,8 +11,8 @@ namespace {
 constexpr double largest_coordinate = 1e60;
 constexpr double smallest_extent = 1e-60;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& why) {
-    throw lod::Error(lod::ErrorKind::input_refused, "cannot use the shape '" + name + "': " + why);
+std::string use_of(const std::string& name) {
+    return "cannot use the shape '" + name + "'";
 }
 
 double cross(const Point& a, const Point& b) {
@@ -27,14 +27,16 @@ void for_each_edge(const Polygon& polygon, Visit visit) {
 }
 
 void check_coordinates(const std::string& name, const Polygon& polygon) {
-    if (polygon.rings.empty()) refuse(name, "it is empty; give at least one closed outline");
+    if (polygon.rings.empty())
+        lod::refuse_input(use_of(name), "it is empty; give at least one closed outline");
     for (const Ring& ring : polygon.rings) {
         if (ring.size() < 3)
-            refuse(name, "an outline has " + std::to_string(ring.size()) +
-                             " points; a closed outline needs at least 3");
+            lod::refuse_input(use_of(name), "an outline has " + std::to_string(ring.size()) +
+                                                " points; a closed outline needs at least 3");
         for (const Point& p : ring)
             if (!p.allFinite() || p.cwiseAbs().maxCoeff() > largest_coordinate)
-                refuse(name, "a coordinate is not finite or beyond 1e60 m; check the numbers");
+                lod::refuse_input(use_of(name),
+                                  "a coordinate is not finite or beyond 1e60 m; check the numbers");
     }
 }
 
@@ -100,7 +102,8 @@ Shape make_shape(std::string name, const Polygon& polygon) {
     const Point middle = rounded_to_grid(box.center(), extent);
     const Moments about_middle = moments(moved(polygon, -middle));
     if (!(about_middle.area > 1e-12 * extent * extent) || extent < smallest_extent)
-        refuse(name, "its area is zero; give a closed outline that encloses something");
+        lod::refuse_input(use_of(name),
+                          "its area is zero; give a closed outline that encloses something");
 
     Shape shape;
     shape.name = std::move(name);

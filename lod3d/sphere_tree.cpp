@@ -32,19 +32,17 @@ int depth_within(const SphereTreeSettings& settings) {
 
 lod::SphereTree<3> grow_cover(const Solid& solid, const MeshPiece& whole,
                               const MeshDistance& distance, const lod::GrowSettings& limits,
-                              const SphereTreeSettings& asked) {
+                              double effort) {
     constexpr int field_cells = 64;
-    lod::Sphere<3> root = lod::enclosing_ball<3>(whole.vertices());
-    root.radius += lod::rounding_bound(root);
+    const lod::Sphere<3> root = lod::root_ball<3>(whole);
     const DistanceField field(distance, bounding_box(solid.mesh), field_cells);
     BallFitSettings fit;
-    fit.quick = lod::scaled(fit.quick, asked.effort);
-    fit.thorough = lod::scaled(fit.thorough, asked.effort);
+    fit.quick = lod::scaled(fit.quick, effort);
+    fit.thorough = lod::scaled(fit.thorough, effort);
     const BallFit strategy(distance, field, lod::rounding_bound(root), fit);
     lod::GrowSettings settings = limits;
-    settings.least_protrusion = asked.least_protrusion * 2 * root.radius;
     settings.starts_are_covers = true;
-    settings.most_failures = static_cast<int>(std::ceil(6 * asked.effort));
+    settings.most_failures = static_cast<int>(std::ceil(6 * effort));
     settings.look_ahead_above = std::numeric_limits<double>::infinity();  // the strategy does
     return lod::grow_tree<3>(whole, root, strategy, settings);
 }
@@ -99,6 +97,7 @@ lod::SphereTree<3> build_sphere_tree(const Solid& solid, const SphereTreeSetting
     lod::GrowSettings limits;
     limits.branching = settings.branching;
     limits.depth = settings.depth;
+    limits.least_protrusion = settings.least_protrusion;
     limits.progress = settings.progress;
     if (settings.builder == SolidBuilder::octree && settings.branching != 8)
         throw lod::Error(lod::ErrorKind::usage,
@@ -112,7 +111,7 @@ lod::SphereTree<3> build_sphere_tree(const Solid& solid, const SphereTreeSetting
     const MeshPiece whole(solid, distance);
     lod::SphereTree<3> tree = settings.builder == SolidBuilder::octree
                                   ? lod::grow_grid_tree<3>(whole, limits.depth, limits.progress)
-                                  : grow_cover(solid, whole, distance, limits, settings);
+                                  : grow_cover(solid, whole, distance, limits, settings.effort);
     if (!lod::certify<3>(tree, whole).back().certified)
         throw lod::Error(lod::ErrorKind::input_refused,
                          "the sphere tree of " + solid.name +

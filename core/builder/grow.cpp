@@ -19,8 +19,9 @@ void check_grow_settings(const GrowSettings& settings) {
     if (std::pow(settings.branching, settings.depth) > most_leaves)
         refuse("branching " + branching + " with depth " + depth,
                "fewer than 1048576 leaves in all, for instance branching 4 with depth 10");
-    if (!(settings.least_protrusion >= 0))
-        refuse("the least protrusion", "a length of 0 m or more");
+    if (!(settings.least_protrusion >= 0)) refuse("the least protrusion", "a share of 0 or more");
+    if (!(settings.normal_weight >= 0 && settings.normal_weight <= 100))
+        refuse("the weight of the normals", "0 to 100");
 }
 
 }  // namespace lod

@@ -18,13 +18,16 @@ namespace lod {
 struct GrowSettings {
     int branching = 4;  ///< most children of a node, 2 to 64
     int depth = 4;      ///< levels below the root, 0 to 12; branching^depth is at most 1048576
-    /// A node that stands out of the shape by no more is not divided further [m].
-    double least_protrusion = 0;
-    /// A node that stands out by more is divided with a look at the level after the next [m].
-    double look_ahead_above = 0;
+    /// A node that stands out of the shape by no more than this share of the root ball's diameter
+    /// is not divided further.
+    double least_protrusion = 1e-7;
+    /// A node that stands out by more than this share of the same is divided with a look at the
+    /// level after the next.
+    double look_ahead_above = 0.005;
     /// What a ball whose surface faces many ways costs: this times its radius times (1 - coherence)
     /// is added to its protrusion when covers are compared. Contact normals come from the surface
-    /// that a node stands for, and a ball between two opposite sides has none. 0: fit alone counts.
+    /// that a node stands for, and a ball between two opposite sides has none. 0: fit alone counts;
+    /// at most 100.
     double normal_weight = 0;
     /// Whether the strategy's starts are covers that stand out little: then they are only improved
     /// as such, not made small as well.
@@ -38,7 +41,7 @@ struct GrowSettings {
     std::function<void(double)> progress{};
 };
 
-/// Throws Error (limit exceeded) where branching or depth are out of range.
+/// Throws Error (limit exceeded) where a setting is out of range.
 void check_grow_settings(const GrowSettings& settings);
 
 /// What a kind of shape knows about dividing its pieces well.
@@ -82,6 +85,8 @@ class Grower {
     std::vector<TreeNode<Dim>> run(const Piece& whole, const Sphere<Dim>& root) {
         nodes_.push_back({root, mean_normal<Dim>(whole), {}});
         margin_ = rounding_bound(root) / 2;
+        least_protrusion_ = settings_.least_protrusion * 2 * root.radius;
+        look_ahead_above_ = settings_.look_ahead_above * 2 * root.radius;
         std::vector<Owned> level{{0, whole}};
         for (int levels_left = settings_.depth; levels_left >= 0; --levels_left)
             level = divided(level, levels_left);
@@ -107,7 +112,7 @@ class Grower {
         for (const Owned& owned : level) {
             check_interrupted();
             const Sphere<Dim>& ball = nodes_[owned.node].sphere;
-            const bool fine = strategy_.protrusion(ball) <= settings_.least_protrusion;
+            const bool fine = strategy_.protrusion(ball) <= least_protrusion_;
             const bool ends = levels_left == 0 || fine;
             if (!ends) divisions.push_back({&owned, best_cover(owned.piece, ball, levels_left)});
             // Leaves cost nothing: their share of the work is the node's above.
@@ -176,8 +181,7 @@ class Grower {
             candidates.push_back(improved(owned, small.balls, Aim::close));
             candidates.push_back(std::move(small));
         }
-        const bool look_ahead =
-            levels_left > 1 && strategy_.protrusion(ball) > settings_.look_ahead_above;
+        const bool look_ahead = levels_left > 1 && strategy_.protrusion(ball) > look_ahead_above_;
         const Cover<Dim>* best = nullptr;
         double least = 0;
         for (const Cover<Dim>& cover : candidates) {
@@ -303,16 +307,26 @@ class Grower {
     std::vector<TreeNode<Dim>> nodes_;
     std::vector<double> work_below_;  ///< by levels left: nodes of a full tree
     double margin_ = 0;
+    double least_protrusion_ = 0;  ///< [m]
+    double look_ahead_above_ = 0;  ///< [m]
     double done_ = 0;
 };
 
 }  // namespace detail
 
+/// The least ball that holds the piece, with rounding_bound to spare: the root of its tree.
+template <int Dim, PieceOf<Dim> Piece>
+[[nodiscard]] Sphere<Dim> root_ball(const Piece& whole) {
+    Sphere<Dim> root = enclosing_ball<Dim>(whole.vertices());
+    root.radius += rounding_bound(root);
+    return root;
+}
+
 /// Grows a tree from the top: each node's piece is divided among its children by the power diagram
 /// of their balls, from several starts, each improved by Lloyd's rounds; the division whose worst
-/// ball stands out of the shape least is kept. Deterministic. Requires that `root` holds the whole
-/// with rounding_bound(root) to spare, and settings in range (otherwise throws Error, limit
-/// exceeded). The trees pass `certify`.
+/// ball stands out of the shape least is kept. Deterministic.
+/// Requires that `root` holds the whole with rounding_bound(root) to spare, and settings in range
+/// (otherwise throws Error, limit exceeded). The trees pass `certify`.
 template <int Dim, PieceOf<Dim> Piece, GrowStrategy<Dim, Piece> Strategy>
 [[nodiscard]] SphereTree<Dim> grow_tree(const Piece& whole, const Sphere<Dim>& root,
                                         const Strategy& strategy, const GrowSettings& settings) {

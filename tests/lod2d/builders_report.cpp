@@ -2,9 +2,9 @@
 
 #include <numbers>
 
+#include "core/builder/protrusion.hpp"
 #include "lod2d/build_tree.hpp"
 #include "lod2d/disc_union.hpp"
-#include "lod2d/protrusion.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/random.hpp"
@@ -101,7 +101,8 @@ TEST_CASE("no sampled point of a union is farther out than the worst protrusion"
         std::vector<Disc> discs;
         for (int i = 0; i < 5; ++i)
             discs.push_back({{random.in(-0.4, 0.4), random.in(-0.4, 0.4)}, random.in(0.05, 0.4)});
-        const Protrusion found = find_protrusion(index, discs, 1e-5);
+        const auto found =
+            lod::find_protrusion<2>(index, std::span<const lod::Sphere<2>>(discs), 1e-5);
         CHECK(found.most - found.least <= 1e-5);
         CHECK(index.distance(found.at) == Approx(found.least));
         double sampled = 0;
