@@ -81,25 +81,25 @@ Mesh blocks(const std::vector<double>& xs, const std::vector<double>& ys,
     return mesh;
 }
 
-Mesh make_box(Values v) {
+Mesh solid_box(Values v) {
     return blocks({-v[0] / 2, v[0] / 2}, {-v[1] / 2, v[1] / 2}, {-v[2] / 2, v[2] / 2},
                   [](int, int, int) { return true; });
 }
 
-Mesh make_l(Values v) {
+Mesh solid_l(Values v) {
     const double arm = v[0];
     return blocks({0, arm, 1}, {0, arm, 1}, {-arm / 2, arm / 2},
                   [](int x, int y, int) { return x == 0 || y == 0; });
 }
 
-Mesh make_cross(Values v) {
+Mesh solid_cross(Values v) {
     const std::vector<double> at{-0.5, -v[0] / 2, v[0] / 2, 0.5};
     return blocks(at, at, at, [](int x, int y, int z) {
         return (x == 1) + (y == 1) + (z == 1) >= 2;  // the bars along the three axes
     });
 }
 
-Mesh make_tetrahedron(Values) {
+Mesh solid_tetrahedron(Values) {
     const double h = 0.5;
     return {{{h, h, h}, {h, -h, -h}, {-h, h, -h}, {-h, -h, h}},
             {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
@@ -131,7 +131,7 @@ Round add_round(Mesh& mesh, const std::vector<Point>& points) {
     return round;
 }
 
-Mesh make_rod(Values v) {
+Mesh solid_rod(Values v) {
     constexpr int sides = 48;
     const auto round_at = [&](double height) {
         std::vector<Point> points;
@@ -193,14 +193,14 @@ Mesh unit_ball(int rounds) {
     return mesh;
 }
 
-Mesh make_ball(Values v) {
+Mesh solid_ball(Values v) {
     Mesh mesh = unit_ball(static_cast<int>(v[0]));
     for (Point& p : mesh.vertices) p *= 0.5;
     return mesh;
 }
 
 /// A ball whose radius carries waves of random directions; it stays star-shaped.
-Mesh make_blob(Values v) {
+Mesh solid_blob(Values v) {
     constexpr int waves = 12;
     lod::Random random(static_cast<std::uint64_t>(v[0]));
     std::array<Point, waves> direction;
@@ -250,14 +250,14 @@ Mesh tube(double radius, int along, int around, const Curve& curve) {
     return mesh;
 }
 
-Mesh make_ring(Values v) {
+Mesh solid_ring(Values v) {
     const double minor = v[0];
     return tube(minor, static_cast<int>(v[1]), static_cast<int>(v[1]) / 2, [&](double s) {
         return std::pair(round_z(0.5 - minor, turn * s, 0), Point(0, 0, 1));
     });
 }
 
-Mesh make_knot(Values v) {
+Mesh solid_knot(Values v) {
     if (std::gcd(static_cast<int>(v[0]), static_cast<int>(v[1])) != 1)
         throw lod::Error(lod::ErrorKind::input_refused,
                          "the knot's P and Q share a factor, so its tube would run into itself");
@@ -283,7 +283,7 @@ double gear_radius(double share, double depth) {
     return low + (0.5 - low) * (share - 0.8) / 0.2;
 }
 
-Mesh make_gear(Values v) {
+Mesh solid_gear(Values v) {
     constexpr int steps = 10;  // of a tooth; corners of the outline fall on steps
     const int count = steps * static_cast<int>(v[0]);
     const double half = v[3] / 2;
@@ -328,46 +328,46 @@ std::span<const lod::Generator<Mesh>> solid_generators() {
          {{"WIDTH", "along x, m", 1, 1e-6, 1e6},
           {"HEIGHT", "along y, m", 0.5, 1e-6, 1e6},
           {"DEPTH", "along z, m", 0.5, 1e-6, 1e6}},
-         make_box},
+         solid_box},
         {"rod",
          "a round bar along x",
          {{"LENGTH", "m", 1, 1e-6, 1e6}, {"RADIUS", "m", 0.05, 1e-6, 1e6}},
-         make_rod},
+         solid_rod},
         {"L",
          "two arms at a right angle",
          {{"ARM", "width of an arm, share of the whole", 0.3, 0.01, 0.99}},
-         make_l},
+         solid_l},
         {"cross",
          "three bars at right angles",
          {{"BAR", "width of a bar, share of its length", 0.25, 0.01, 0.99}},
-         make_cross},
-        {"tetrahedron", "a regular tetrahedron in a cube", {}, make_tetrahedron},
+         solid_cross},
+        {"tetrahedron", "a regular tetrahedron in a cube", {}, solid_tetrahedron},
         {"ball",
          "a round ball",
          {{"ROUNDS", "how often 20 triangles are cut in four", 4, 0, 7, true}},
-         make_ball},
+         solid_ball},
         {"ring",
          "a torus",
          {{"TUBE", "radius of the tube, m", 0.12, 0.01, 0.24},
           {"SIDES", "around the whole ring", 96, 6, 2000, true}},
-         make_ring},
+         solid_ring},
         {"gear",
          "a toothed wheel",
          {{"TEETH", "number of teeth", 9, 3, 200, true},
           {"DEPTH", "of a tooth, share of the radius", 0.25, 0.01, 0.9},
           {"BORE", "radius of the hole, share of the radius; 0: none", 0, 0, 0.9},
           {"WIDTH", "thickness, m", 0.2, 1e-3, 1e3}},
-         make_gear},
+         solid_gear},
         {"knot",
          "a tube tied in a torus knot",
          {{"P", "turns about the axis", 2, 1, 9, true},
           {"Q", "turns about the core", 3, 1, 9, true},
           {"TUBE", "radius of the tube, m", 0.06, 0.005, 0.08}},
-         make_knot},
+         solid_knot},
         {"blob",
          "a rounded random body",
          {{"SEED", "same seed, same body", 1, 0, 4e9, true}},
-         make_blob},
+         solid_blob},
     };
     return all;
 }

@@ -13,26 +13,28 @@ double orientation(const Point& a, const Point& b, const Point& c, const Point& 
     return (b - a).cross(c - a).dot(d - a);
 }
 
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+/// Positive where c lies to the left of the line from a to b.
+double side_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    return lod::Space<2>::moment(b - a, c - a)[0];
 }
 
 bool same_side(double s, double t) {
     return (s > 0 && t > 0) || (s < 0 && t < 0);
 }
 
-bool segments_meet(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& a,
-                   const Eigen::Vector2d& b) {
+bool sides_meet(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& a,
+                const Eigen::Vector2d& b) {
     if ((p.cwiseMax(q).array() < a.cwiseMin(b).array()).any() ||
         (a.cwiseMax(b).array() < p.cwiseMin(q).array()).any())
         return false;
-    return !same_side(turn(p, q, a), turn(p, q, b)) && !same_side(turn(a, b, p), turn(a, b, q));
+    return !same_side(side_of(p, q, a), side_of(p, q, b)) &&
+           !same_side(side_of(a, b, p), side_of(a, b, q));
 }
 
 bool holds(const std::array<Eigen::Vector2d, 3>& t, const Eigen::Vector2d& p) {
-    const double u = turn(t[0], t[1], p);
-    const double v = turn(t[1], t[2], p);
-    const double w = turn(t[2], t[0], p);
+    const double u = side_of(t[0], t[1], p);
+    const double v = side_of(t[1], t[2], p);
+    const double w = side_of(t[2], t[0], p);
     return (u >= 0 && v >= 0 && w >= 0 && u + v + w > 0) ||
            (u <= 0 && v <= 0 && w <= 0 && u + v + w < 0);
 }
@@ -51,7 +53,7 @@ bool coplanar_intersect(const Corners& s, const Corners& t, const Point& normal)
     const auto v = flat(t);
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
-            if (segments_meet(u[i], u[(i + 1) % 3], v[j], v[(j + 1) % 3])) return true;
+            if (sides_meet(u[i], u[(i + 1) % 3], v[j], v[(j + 1) % 3])) return true;
     return holds(u, v[0]) || holds(v, u[0]);
 }
 

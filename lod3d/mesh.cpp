@@ -11,7 +11,7 @@
 namespace lod3d {
 namespace {
 
-std::size_t index(std::int32_t i) {
+std::size_t as_index(std::int32_t i) {
     return static_cast<std::size_t>(i);
 }
 
@@ -57,21 +57,21 @@ std::vector<std::int32_t> merged_with(const std::vector<Point>& points, double t
     std::vector<std::int32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
-        const Point& p = points[index(i)];
-        const Point& q = points[index(j)];
+        const Point& p = points[as_index(i)];
+        const Point& q = points[as_index(j)];
         return std::tie(p.x(), p.y(), p.z(), i) < std::tie(q.x(), q.y(), q.z(), j);
     });
     std::vector<std::int32_t> into(points.size(), -1);
     for (std::size_t i = 0; i < order.size(); ++i) {
-        if (into[index(order[i])] >= 0) continue;
-        into[index(order[i])] = order[i];
-        const Point& p = points[index(order[i])];
+        if (into[as_index(order[i])] >= 0) continue;
+        into[as_index(order[i])] = order[i];
+        const Point& p = points[as_index(order[i])];
         for (std::size_t j = i + 1; j < order.size(); ++j) {
-            const Point& q = points[index(order[j])];
+            const Point& q = points[as_index(order[j])];
             if (q.x() - p.x() > tolerance) break;
             if (tolerance == 0 && q != p) break;  // equal points stand side by side
-            if (into[index(order[j])] < 0 && (q - p).cwiseAbs().maxCoeff() <= tolerance)
-                into[index(order[j])] = order[i];
+            if (into[as_index(order[j])] < 0 && (q - p).cwiseAbs().maxCoeff() <= tolerance)
+                into[as_index(order[j])] = order[i];
         }
     }
     return into;
@@ -89,11 +89,11 @@ int drop_duplicates(Mesh& mesh) {
     std::vector<Triangle> key(mesh.triangles.size());
     std::transform(mesh.triangles.begin(), mesh.triangles.end(), key.begin(), from_least);
     std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
-        return std::tie(key[index(i)], i) < std::tie(key[index(j)], j);
+        return std::tie(key[as_index(i)], i) < std::tie(key[as_index(j)], j);
     });
     std::vector<char> again(mesh.triangles.size(), 0);
     for (std::size_t i = 1; i < order.size(); ++i)
-        again[index(order[i])] = key[index(order[i])] == key[index(order[i - 1])];
+        again[as_index(order[i])] = key[as_index(order[i])] == key[as_index(order[i - 1])];
     std::size_t kept = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         if (!again[t]) mesh.triangles[kept++] = mesh.triangles[t];
@@ -105,17 +105,17 @@ int drop_duplicates(Mesh& mesh) {
 int drop_unused_vertices(Mesh& mesh) {
     std::vector<std::int32_t> renumbered(mesh.vertices.size(), -1);
     for (const Triangle& t : mesh.triangles)
-        for (std::int32_t v : t) renumbered[index(v)] = 0;
+        for (std::int32_t v : t) renumbered[as_index(v)] = 0;
     std::int32_t kept = 0;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         if (renumbered[v] < 0) continue;
-        mesh.vertices[index(kept)] = mesh.vertices[v];
+        mesh.vertices[as_index(kept)] = mesh.vertices[v];
         renumbered[v] = kept++;
     }
     const int dropped = static_cast<int>(mesh.vertices.size()) - kept;
-    mesh.vertices.resize(index(kept));
+    mesh.vertices.resize(as_index(kept));
     for (Triangle& t : mesh.triangles)
-        for (std::int32_t& v : t) v = renumbered[index(v)];
+        for (std::int32_t& v : t) v = renumbered[as_index(v)];
     return dropped;
 }
 
@@ -124,7 +124,7 @@ int drop_unused_vertices(Mesh& mesh) {
 Welded weld(Mesh& mesh, double tolerance) {
     const std::vector<std::int32_t> into = merged_with(mesh.vertices, tolerance);
     for (Triangle& t : mesh.triangles)
-        for (std::int32_t& v : t) v = into[index(v)];
+        for (std::int32_t& v : t) v = into[as_index(v)];
     const auto collapsed = std::erase_if(mesh.triangles, [](const Triangle& t) {
         return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     });

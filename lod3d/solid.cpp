@@ -9,10 +9,6 @@
 namespace lod3d {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const std::string& why) {
-    throw lod::Error(lod::ErrorKind::input_refused, name + ": " + why);
-}
-
 std::string counted(long count, const std::string& what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -118,18 +114,19 @@ Solid make_solid(std::string name, Mesh mesh, const SolidOptions& options) {
     try {
         check_numbers(mesh);
     } catch (const lod::Error& error) {
-        refuse(name, error.what());
+        lod::refuse_input(name, error.what());
     }
     Solid solid;
     solid.name = std::move(name);
     close_gaps(mesh, solid.mended);
-    if (mesh.triangles.empty()) refuse(solid.name, "every triangle has two equal corners");
+    if (mesh.triangles.empty())
+        lod::refuse_input(solid.name, "every triangle has two equal corners");
     turn_alike(mesh, solid.mended);
 
     const BadEdges bad = find_bad_edges(mesh);
     if (!bad.none() && !options.fill)
-        refuse(solid.name, "the mesh does not bound a solid: " + describe(bad) +
-                               "; mend it, or fill it by winding number");
+        lod::refuse_input(solid.name, "the mesh does not bound a solid: " + describe(bad) +
+                                          "; mend it, or fill it by winding number");
     if (!bad.none()) {
         mesh = fill_by_winding(mesh, options.fill_cells);
         solid.approximate = true;
@@ -139,7 +136,7 @@ Solid make_solid(std::string name, Mesh mesh, const SolidOptions& options) {
     Integrals of = integrate(mesh);
     const Box box = bounding_box(mesh);
     if (!(of.volume > 1e-12 * std::pow((box.high - box.low).maxCoeff(), 3)))
-        refuse(solid.name, "the mesh bounds no volume; is it flat?");
+        lod::refuse_input(solid.name, "the mesh bounds no volume; is it flat?");
     if (overlapping) {
         of = integrate(fill_by_winding(mesh, options.fill_cells));
         solid.approximate = true;

@@ -1,9 +1,11 @@
 """The rules of the house, read from the sources: which folder may include which, where Dim may be
-tested, where the large libraries may appear, and how long a file and a function may be.
+tested, where the large libraries may appear, how long a file and a function may be, and that nothing
+is written once for the plane and once for space.
 
 Usage: rules.py FOLDER    prints each breach as file:line: what; exits 1 when there is one
 """
 
+import difflib
 import pathlib
 import re
 import sys
@@ -43,6 +45,19 @@ TESTS_DIM = re.compile(
 )
 MAY_TEST_DIM = "core/dimension.hpp"
 
+# What the plane and space call by two names, in one neutral word each.
+NEUTRAL = {
+    "polygon": "figure", "mesh": "figure",
+    "shape": "body", "solid": "body",
+    "polygonpiece": "piece", "meshpiece": "piece",
+    "disc": "ball", "circle": "ball", "sphere": "ball",
+    "boundaryindex": "distances", "meshdistance": "distances",
+    "outline": "border", "surface": "border",
+}  # fmt: skip
+TOKENS = re.compile(r"[A-Za-z_]\w*|\d[\w.]*|[^\s\w]")
+FEWEST_TOKENS = 30  # shorter bodies are alike by chance
+MOST_ALIKE = 0.75  # of the tokens of two bodies
+
 MOST_FILE_LINES = 400
 MOST_FUNCTION_LINES = 60
 
@@ -64,21 +79,47 @@ def includes_of(text):
             yield number, match.group(1)
 
 
+class Function:
+    """A function's body that stands outside other functions."""
+
+    def __init__(self, head, in_class, line, body):
+        self.line = line
+        self.body = body
+        self.lines = body.count("\n") + 1
+        head = re.sub(r"\[\[.*?\]\]|^\s*template\s*<[^{]*?>\s*(?=[\w\[])", " ", head, flags=re.S)
+        named = re.search(r"([\w~]+(?:::[\w~]+)*)\s*\(", head)
+        qualified = named.group(1) if named else ""
+        self.name = qualified.split("::")[-1]
+        self.is_member = in_class or "::" in qualified
+        self.parameters = head[named.end() : matching(head, named.end())] if named else ""
+
+
+def matching(text, start):
+    """Where the bracket that stands open before `start` is closed."""
+    depth = 1
+    for at in range(start, len(text)):
+        depth += {"(": 1, ")": -1}.get(text[at], 0)
+        if depth == 0:
+            return at
+    return len(text)
+
+
 def functions_of(code):
-    """(first line, lines) of each function body outside other functions, by matching braces."""
-    outer = []  # per open brace: (whether it opened a function, line of its head)
+    """Every function's body outside other functions, by matching braces."""
+    outer = []  # per open brace: (whether it opened a function, its place, its head)
     head_start = 0
     for match in re.finditer(r"[{};]|^\s*#[^\n]*|\b(public|private|protected)\s*:", code, re.M):
         character = match.group()
         if character == "{":
             head = code[head_start : match.start()].strip()
-            inside = any(is_function for is_function, _ in outer)
+            inside = any(is_function for is_function, _, _ in outer)
             is_function = ")" in head and not NO_FUNCTION.match(head) and not inside
-            outer.append((is_function, code.count("\n", 0, match.start()) + 1))
+            outer.append((is_function, match.start(), head))
         elif character == "}" and outer:
-            is_function, first = outer.pop()
+            is_function, first, head = outer.pop()
             if is_function:
-                yield first, code.count("\n", 0, match.start()) + 1 - first + 1
+                in_class = any(re.search(r"\b(class|struct)\b", above) for _, _, above in outer)
+                yield Function(head, in_class, code.count("\n", 0, first) + 1, code[first : match.end()])
         head_start = match.end()
 
 
@@ -144,9 +185,63 @@ def check_code(name, text, breaches):
     lines = text.count("\n")
     if lines > MOST_FILE_LINES:
         breaches.append(f"{name}:1: {lines} lines; at most {MOST_FILE_LINES}")
-    for first, length in functions_of(code):
-        if length > MOST_FUNCTION_LINES:
-            breaches.append(f"{name}:{first}: a function of {length} lines; at most {MOST_FUNCTION_LINES}")
+    for function in functions_of(code):
+        if function.lines > MOST_FUNCTION_LINES:
+            breaches.append(
+                f"{name}:{function.line}: a function of {function.lines} lines; at most {MOST_FUNCTION_LINES}"
+            )
+
+
+def neutral(code):
+    """The tokens of a piece of code without what tells the plane from space."""
+    code = re.sub(r"\b(std|lod|lod2d|lod3d|Eigen)::|\bconst\b|&", " ", code)
+    code = re.sub(r"<\s*[23]\s*>|\b(Vector|Matrix)[23]d\b", "<Dim>", code)
+    return [NEUTRAL.get(token.lower(), token) for token in TOKENS.findall(code)]
+
+
+def types_of(parameters):
+    """The neutral types of a list of parameters, without their names and default values."""
+    depth = 0
+    types = [""]
+    for character in parameters:
+        depth += {"<": 1, "(": 1, "{": 1, ">": -1, ")": -1, "}": -1}.get(character, 0)
+        if character == "," and depth == 0:
+            types.append("")
+        else:
+            types[-1] += character
+    types = [neutral(re.sub(r"=.*", "", type, flags=re.S)) for type in types]
+    return [type[:-1] if len(type) > 1 and type[-1].isidentifier() else type for type in types]
+
+
+def share_a_shape(flat, deep):
+    """Whether a function of the plane and one of space by the same name are one function written
+    twice: free functions that take the same parameters once plane and space are called alike, or any
+    two whose bodies, neutral too, are the same in three tokens of four. Members may share parameters
+    alone: that is how the two offer core, or a container's vocabulary, under one name.
+    """
+    if not flat.is_member and not deep.is_member and types_of(flat.parameters) == types_of(deep.parameters):
+        return True
+    bodies = [neutral(function.body) for function in (flat, deep)]
+    if min(map(len, bodies)) < FEWEST_TOKENS:
+        return False
+    return difflib.SequenceMatcher(None, *bodies, autojunk=False).ratio() >= MOST_ALIKE
+
+
+def check_twins(texts, breaches):
+    """lod2d and lod3d share no function by name and shape."""
+    functions = {"lod2d": {}, "lod3d": {}}
+    for name, text in texts.items():
+        folder = name.split("/")[0]
+        for function in functions_of(without_comments(text)) if folder in functions else ():
+            functions[folder].setdefault(function.name, []).append((name, function))
+    for word in sorted(functions["lod2d"].keys() & functions["lod3d"].keys() - {""}):
+        for flat_name, flat in functions["lod2d"][word]:
+            for deep_name, deep in functions["lod3d"][word]:
+                if share_a_shape(flat, deep):
+                    breaches.append(
+                        f"{deep_name}:{deep.line}: {word} is written in {flat_name}:{flat.line} too; "
+                        "make it one template in core"
+                    )
 
 
 def breaches_in(root):
@@ -163,6 +258,7 @@ def breaches_in(root):
         check_code(name, text, breaches)
     check_one_source(texts, breaches)
     check_circles(texts, breaches)
+    check_twins(texts, breaches)
     if not texts:
         breaches.append(f"{root}:0: no sources here")
     return breaches

@@ -6,11 +6,25 @@ import unittest
 
 from rules import breaches_in
 
+# A member that plane and space could share.
+EXCESS = """
+struct Excess {
+    double least(const lodNd::Point& x) const {
+        double most = 0;
+        for (const VectorNd& p : corners) most = std::max(most, (p - x).norm());
+        return most + distance(x);
+    }
+};
+"""
+
 HOUSE = {
     "core/dimension.hpp": "#pragma once\ntemplate <int Dim> constexpr bool plane = Dim == 2;\n",
     "core/body.hpp": '#include "core/dimension.hpp"\n// Dim == 2 in a comment\n',
     "core/ball.cpp": "template <int Dim> int points() { return Dim + 1; }\n",
     "lod2d/shape.hpp": '#include "core/body.hpp"\n#include <nlohmann/json_fwd.hpp>\n',
+    "lod2d/measure.cpp": "double extent(const Polygon& polygon) { return 1; }\n" + EXCESS.replace("N", "2"),
+    "lod3d/measure.cpp": "double extent(const Mesh& mesh, int axis) { return 1; }\n"
+    "struct Hull { double least(const Point& p) const { return 2; } };\n",
     "lod2d/box2d_reference.cpp": "#include <box2d/box2d.h>\n",
     "viz/figure.hpp": "#include <string>\n",
     "viz/figure.cpp": '#include "viz/figure.hpp"\n',
@@ -36,6 +50,11 @@ BREACHES = {
     "a long file": ("core/a.cpp", "int i;\n" * 401),
     "a long function": ("core/a.cpp", "int f() {\n" + "    g();\n" * 59 + "}\n"),
     "a long method": ("core/a.cpp", "class A {\n  public:\n    int f(int a,\n   int b) const {\n" + "    g();\n" * 59 + "}\n};\n"),
+    "a function of the plane again in space": (
+        "lod3d/a.cpp",
+        "[[nodiscard]] double extent(const lod3d::Mesh& mesh) {\n    return 2;\n}\n",
+    ),
+    "a member of the plane again in space": ("lod3d/a.cpp", EXCESS.replace("N", "3")),
     "a circle": ("core/body.hpp", '#include "core/circle.hpp"\n'),
 }
 
