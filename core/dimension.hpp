@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -39,6 +40,17 @@ struct Space {
             return Spin::Constant(r.x() * f.y() - r.y() * f.x());
         else
             return r.cross(f);
+    }
+
+    /// Normal of a boundary's edge or triangle, outward where its corners run anticlockwise; as
+    /// long as the edge, or twice the triangle's area.
+    static Vector facet_normal(const std::array<Vector, Dim>& corner) {
+        if constexpr (Dim == 2) {
+            const Vector along = corner[1] - corner[0];
+            return Vector(along.y(), -along.x());
+        } else {
+            return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
+        }
     }
 
     static Orientation unturned() {

@@ -47,6 +47,13 @@ struct ConvexPart {
     }
 };
 
+template <int Dim>
+[[nodiscard]] ConvexPart<Dim> part_of(const Facet<Dim>& facet) {
+    ConvexPart<Dim> part;
+    for (const Vector<Dim>& corner : facet) part.corner[part.count++] = corner;
+    return part;
+}
+
 /// Where a part of A and a part of B are nearest to each other. Frame of A, metres.
 template <int Dim>
 struct PartPair {

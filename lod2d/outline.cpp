@@ -11,25 +11,12 @@ namespace {
 
 using Pair = lod::PartPair<2>;
 
-lod::ConvexPart<2> part_of(const lod::Facet<2>& edge) {
-    lod::ConvexPart<2> part;
-    part.corner[0] = edge[0];
-    part.corner[1] = edge[1];
-    part.count = 2;
-    return part;
-}
-
-Point outward(const lod::Facet<2>& edge) {
-    const Point along = edge[1] - edge[0];
-    return Point(along.y(), -along.x()).normalized();
-}
-
 }  // namespace
 
 lod::PartPair<2> nearest_edges(const lod::Facet<2>& a, const lod::Facet<2>& b, double feet_within) {
     Pair pair;
-    pair.a = part_of(a);
-    pair.b = part_of(b);
+    pair.a = lod::part_of<2>(a);
+    pair.b = lod::part_of<2>(b);
     if (segments_meet(a[0], a[1], b[0], b[1])) return pair;
     const std::array<Pair::Feet, 4> feet{{{a[0], nearest_on_segment(b[0], b[1], a[0])},
                                           {a[1], nearest_on_segment(b[0], b[1], a[1])},
@@ -40,8 +27,8 @@ lod::PartPair<2> nearest_edges(const lod::Facet<2>& a, const lod::Facet<2>& b, d
     pair.distance = length(pair.nearest);
     for (const Pair::Feet& f : feet)
         if (length(f) <= feet_within) pair.feet[pair.feet_count++] = f;
-    pair.add_direction(outward(a));
-    pair.add_direction(-outward(b));
+    pair.add_direction(lod::Space<2>::facet_normal(a).normalized());
+    pair.add_direction(-lod::Space<2>::facet_normal(b).normalized());
     pair.firm_directions = pair.directions;
     if (pair.distance > 0)
         pair.add_direction((pair.nearest.on_b - pair.nearest.on_a) / pair.distance);
@@ -69,11 +56,7 @@ lod::Facet<2> ExactOutline::facet(std::int32_t edge) const {
 
 void ExactOutline::visit_pairs(const lod::ExactShape<2>& b, const lod::Placement<2>& b_in_a,
                                lod::PartVisitor<2>& visitor) const {
-    const auto* other = dynamic_cast<const ExactOutline*>(&b);
-    if (!other)
-        throw lod::Error(lod::ErrorKind::input_refused,
-                         "an outline meets outlines only; give both bodies one");
-    lod::walk_pairs<2>(*this, *other, b_in_a, nearest_edges, visitor);
+    lod::walk_pairs<2>(*this, b, b_in_a, "an outline", nearest_edges, visitor);
 }
 
 void ExactOutline::keep_corners(const Point& normal, double tolerance,

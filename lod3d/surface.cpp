@@ -12,13 +12,6 @@ namespace {
 
 using Pair = lod::PartPair<3>;
 
-lod::ConvexPart<3> part_of(const lod::Facet<3>& triangle) {
-    lod::ConvexPart<3> part;
-    std::ranges::copy(triangle, part.corner.begin());
-    part.count = triangle.size();
-    return part;
-}
-
 /// Lists feet as they are found and keeps the nearest.
 class Listing {
   public:
@@ -66,10 +59,6 @@ void add_unit(Pair& pair, const Point& direction) {
     if (!unit.isZero(0.5)) pair.add_direction(unit);
 }
 
-Point outward(const lod::Facet<3>& t) {
-    return (t[1] - t[0]).cross(t[2] - t[0]);
-}
-
 /// A short way, put at right angles to every side of the two triangles to which it nearly stands
 /// so: rounding tilts it, and a long side would show that.
 Point squared_up(Point way, const lod::Facet<3>& a, const lod::Facet<3>& b) {
@@ -94,8 +83,8 @@ TriangleTree::Corners corners_of(const lod::Facet<3>& t) {
 lod::PartPair<3> nearest_triangles(const lod::Facet<3>& a, const lod::Facet<3>& b,
                                    double feet_within) {
     Pair pair;
-    pair.a = part_of(a);
-    pair.b = part_of(b);
+    pair.a = lod::part_of<3>(a);
+    pair.b = lod::part_of<3>(b);
     const TriangleTree::Corners in_a = corners_of(a);
     const TriangleTree::Corners in_b = corners_of(b);
     if (triangles_intersect(in_a, in_b)) return pair;
@@ -111,8 +100,8 @@ lod::PartPair<3> nearest_triangles(const lod::Facet<3>& a, const lod::Facet<3>& 
             if (across.dot(feet->on_b - feet->on_a) < 0) across = -across;
         }
     pair.distance = listing.least();
-    add_unit(pair, outward(a));
-    add_unit(pair, -outward(b));
+    add_unit(pair, lod::Space<3>::facet_normal(a));
+    add_unit(pair, -lod::Space<3>::facet_normal(b));
     add_unit(pair, across);
     pair.firm_directions = pair.directions;
     const Point way = pair.nearest.on_b - pair.nearest.on_a;
@@ -145,11 +134,7 @@ lod::Facet<3> Surface::facet(std::int32_t triangle) const {
 
 void Surface::visit_pairs(const lod::ExactShape<3>& b, const lod::Placement<3>& b_in_a,
                           lod::PartVisitor<3>& visitor) const {
-    const auto* other = dynamic_cast<const Surface*>(&b);
-    if (!other)
-        throw lod::Error(lod::ErrorKind::input_refused,
-                         "a surface meets surfaces only; give both bodies one");
-    lod::walk_pairs<3>(*this, *other, b_in_a, nearest_triangles, visitor);
+    lod::walk_pairs<3>(*this, b, b_in_a, "a surface", nearest_triangles, visitor);
 }
 
 namespace {
