@@ -11,7 +11,24 @@ void pose_all(std::span<const Body<Dim>> bodies, std::vector<PosedTree<Dim>>& wo
     for (std::size_t i = 0; i < bodies.size(); ++i) world_S[i].pose(bodies[i]);
 }
 
-/// The contacts of every pair, from its front at the last finished level.
+/// The contacts of a pair, from its front at the last finished level.
+template <int Dim>
+void model_front(std::span<const Body<Dim>> bodies, const FrameSettings& settings, std::size_t p,
+                 FrameStorage<Dim>& storage) {
+    const auto [a, b] = storage.candidates[p];
+    const Vector<Dim> between =
+        bodies[static_cast<std::size_t>(b)].position - bodies[static_cast<std::size_t>(a)].position;
+    storage.front_contacts.model(storage.world_S[static_cast<std::size_t>(a)],
+                                 storage.world_S[static_cast<std::size_t>(b)],
+                                 storage.fronts[p].pairs, settings.contact_model,
+                                 settings.point_model, between, storage.contacts);
+    for (const auto& [nodes, contact] : storage.contacts) {
+        storage.record.node_pairs.push_back(nodes);
+        storage.record.impacts.push_back({a, b, static_cast<std::int32_t>(p), contact});
+    }
+}
+
+/// The contacts of every pair.
 template <int Dim>
 void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& settings,
                     FrameStorage<Dim>& storage) {
@@ -19,22 +36,48 @@ void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& sett
     record.pairs.clear();
     record.node_pairs.clear();
     record.impacts.clear();
+    auto finest = storage.finest.begin();
     for (std::size_t p = 0; p < storage.candidates.size(); ++p) {
-        const auto [a, b] = storage.candidates[p];
+        const CandidatePair pair = storage.candidates[p];
         const Front& front = storage.fronts[p];
+        const auto number = static_cast<std::int32_t>(p);
         const auto first = static_cast<std::int32_t>(record.impacts.size());
-        const auto& world_a = storage.world_S[static_cast<std::size_t>(a)];
-        const auto& world_b = storage.world_S[static_cast<std::size_t>(b)];
-        const Vector<Dim> between = bodies[static_cast<std::size_t>(b)].position -
-                                    bodies[static_cast<std::size_t>(a)].position;
-        storage.front_contacts.model(world_a, world_b, front.pairs, settings.contact_model,
-                                     settings.point_model, between, storage.contacts);
-        for (const auto& [nodes, contact] : storage.contacts) {
-            record.node_pairs.push_back(nodes);
-            record.impacts.push_back({a, b, static_cast<std::int32_t>(p), contact});
+        record.pairs.push_back({pair, front.level, front.verdict, front.tests, first});
+        PairRecord& result = record.pairs.back();
+        if (finest != storage.finest.end() && finest->pair == number) {
+            result.finest = finest->backtracked ? Finest::backtrack : Finest::exact;
+            result.impact_time = finest->touch.time;
+            for (const Contact<Dim>& contact : finest->contacts) {
+                record.node_pairs.push_back({-1, -1});
+                record.impacts.push_back({pair.a, pair.b, number, contact});
+            }
+            ++finest;
+        } else {
+            model_front(bodies, settings, p, storage);
         }
-        const auto count = static_cast<std::int32_t>(record.impacts.size()) - first;
-        record.pairs.push_back({{a, b}, front.level, front.verdict, front.tests, first, count});
+        result.contact_count = static_cast<std::int32_t>(record.impacts.size()) - first;
+    }
+}
+
+/// Puts the bodies of backtracked pairs where they stood at their time of impact.
+template <int Dim>
+void rewind(const FrameStorage<Dim>& storage, std::span<Body<Dim>> bodies) {
+    for (const FinestPair<Dim>& pair : storage.finest) {
+        if (!pair.backtracked) continue;
+        const auto [a, b] = storage.candidates[static_cast<std::size_t>(pair.pair)];
+        bodies[static_cast<std::size_t>(a)] = pair.touch.a;
+        bodies[static_cast<std::size_t>(b)] = pair.touch.b;
+    }
+}
+
+/// And lets them move on from there to the present.
+template <int Dim>
+void catch_up(const FrameStorage<Dim>& storage, std::span<Body<Dim>> bodies) {
+    for (const FinestPair<Dim>& pair : storage.finest) {
+        if (!pair.backtracked) continue;
+        const auto [a, b] = storage.candidates[static_cast<std::size_t>(pair.pair)];
+        for (const std::int32_t body : {a, b})
+            integrate(bodies.subspan(static_cast<std::size_t>(body), 1), -pair.touch.time);
     }
 }
 
@@ -50,6 +93,11 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
     storage.record.interrupted =
         refine_all<Dim>(storage.candidates, storage.order, settings.deepest_level, storage.world_S,
                         budget, storage.fronts, storage.scratch);
+    storage.finest.clear();
+    if (!storage.record.interrupted)
+        storage.record.interrupted =
+            refine_finest<Dim>(bodies, storage.candidates, storage.order, settings.finest,
+                               settings.time_step, budget, storage.fronts, storage.finest);
     storage.record.tests = budget.spent() - spent_before;
     model_contacts(bodies, settings, storage);
     storage.record.impulses.assign(storage.record.impacts.size(), 0.0);
@@ -63,8 +111,10 @@ const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings
                                 Budget& budget, FrameStorage<Dim>& storage) {
     FrameRecord<Dim>& record = storage.record;
     detect<Dim>(bodies, settings, budget, storage);
+    rewind(storage, bodies);
     storage.resolver.resolve(settings.response, record.impacts, bodies, record.impulses);
     record.energy_after = kinetic_energy<Dim>(bodies);
+    catch_up(storage, bodies);
     integrate(bodies, settings.time_step);
     return record;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/budget.hpp"
+#include "core/finest.hpp"
 #include "core/front_contacts.hpp"
 #include "core/response.hpp"
 #include "core/schedule.hpp"
@@ -17,6 +18,7 @@ struct FrameSettings {
     PointModel point_model = PointModel::radius_ratio;
     Response response = Response::net;
     Priority priority = Priority::closing_speed;
+    FinestDetail finest;  ///< beyond the leaves; a warm frame allocates nothing without it
 };
 
 /// What a frame found of one candidate pair; the lists it points into are the record's.
@@ -27,6 +29,10 @@ struct PairRecord {
     std::uint64_t tests = 0;
     std::int32_t first_contact = 0;  ///< into node_pairs, impacts and impulses
     std::int32_t contact_count = 0;
+    /// Beyond leaves: `level` is the leaves', but the verdict and the contacts are those of the
+    /// true shapes.
+    Finest finest = Finest::leaves;
+    double impact_time = 0;  ///< when the true shapes touched, from the frame's instant [s]
 };
 
 /// Every stage's result of one frame. Pictures, lessons, traces and metrics read it and never hook
@@ -34,7 +40,8 @@ struct PairRecord {
 template <int Dim>
 struct FrameRecord {
     std::vector<PairRecord> pairs;     ///< every candidate pair of the broad phase
-    std::vector<NodePair> node_pairs;  ///< the overlapping nodes behind each contact
+    std::vector<NodePair> node_pairs;  ///< the overlapping nodes behind each contact; -1, -1 behind
+                                       ///< an exact one
     std::vector<Impact<Dim>> impacts;  ///< same order; `pair` indexes `pairs`
     std::vector<double> impulses;      ///< same order [N s]
     /// Node tests of the frame. A frame that ran on a clock gives the same bits when it is played
@@ -53,6 +60,7 @@ struct FrameStorage {
     std::vector<CandidatePair> candidates;
     std::vector<std::int32_t> order;
     std::vector<Front> fronts;
+    std::vector<FinestPair<Dim>> finest;  ///< in the order of the candidates
     ScheduleScratch scratch;
     FrontContacts<Dim> front_contacts;
     std::vector<NodeContact<Dim>> contacts;  ///< of one front
@@ -65,7 +73,8 @@ template <int Dim>
 const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSettings& settings,
                                Budget& budget, FrameStorage<Dim>& storage);
 
-/// One frame: detect, respond, integrate. The record is valid until the next call.
+/// One frame: detect, respond, integrate. A pair that is backtracked (FinestDetail) responds where
+/// it stood at its time of impact and goes on from there. The record is valid until the next call.
 /// Requires: every body passed check_body.
 template <int Dim>
 const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings& settings,

@@ -1,0 +1,185 @@
+#include "core/finest.hpp"
+
+#include <algorithm>
+
+namespace lod {
+namespace {
+
+std::size_t at(std::int32_t index) {
+    return static_cast<std::size_t>(index);
+}
+
+template <int Dim>
+Body<Dim> reversed(Body<Dim> body) {
+    body.velocity = -body.velocity;
+    body.spin = -body.spin;
+    return body;
+}
+
+/// The moment of touch on the way from a moment `seconds` ago, if the bodies were apart then. With
+/// reversed bodies: the moment ahead at which they part. Returns whether there is one.
+template <int Dim>
+bool touch_since(const Body<Dim>& a, const Body<Dim>& b, double seconds, double tolerance,
+                 ExactContact<Dim>& found) {
+    const Body<Dim> a_then = reversed(moved_freely(reversed(a), seconds, seconds));
+    const Body<Dim> b_then = reversed(moved_freely(reversed(b), seconds, seconds));
+    auto touch = time_of_impact(
+        a_then, b_then, {.horizon = seconds, .tolerance = tolerance, .longest_turn = seconds});
+    if (touch.outcome != ImpactOutcome::touching) return false;
+    found.verdict = ExactVerdict::touched;
+    found.time = touch.time - seconds;
+    found.a = std::move(touch.a);
+    found.b = std::move(touch.b);
+    found.contacts = std::move(touch.contacts);
+    return true;
+}
+
+template <int Dim>
+void touch_now(const Body<Dim>& a, const Body<Dim>& b, double tolerance, ExactContact<Dim>& found) {
+    const double gap = separation(a, b).distance;
+    if (gap > tolerance) return;
+    found.verdict = ExactVerdict::touched;
+    found.a = a;
+    found.b = b;
+    touching_contacts(a, b, gap + tolerance, found.contacts);
+}
+
+}  // namespace
+
+template <int Dim>
+ExactContact<Dim> exact_contact(const Body<Dim>& a, const Body<Dim>& b, double look_back,
+                                double tolerance) {
+    ExactContact<Dim> found;
+    if (!exactly_overlap(a, b)) {
+        touch_now(a, b, tolerance, found);
+        return found;
+    }
+    if (touch_since(a, b, look_back, tolerance, found)) return found;
+    if (touch_since(reversed(a), reversed(b), look_back, tolerance, found)) {
+        found.time = -found.time;
+        found.a = reversed(found.a);
+        found.b = reversed(found.b);
+        return found;
+    }
+    found.verdict = ExactVerdict::unresolved;
+    return found;
+}
+
+template <int Dim>
+std::vector<Contact<Dim>> carried_contacts(const ExactContact<Dim>& touch, const Body<Dim>& a,
+                                           const Body<Dim>& b) {
+    const auto path = [](const Body<Dim>& then, const Body<Dim>& now) {
+        const Placement<Dim> from = placement(then);
+        const Placement<Dim> to = placement(now);
+        const Matrix<Dim> turn = to.rotation * from.rotation.transpose();
+        return Placement<Dim>{turn, to.position - turn * from.position};
+    };
+    const Placement<Dim> with_a = path(touch.a, a);
+    const Placement<Dim> with_b = path(touch.b, b);
+    std::vector<Contact<Dim>> carried;
+    for (const Contact<Dim>& contact : touch.contacts) {
+        const Vector<Dim> half_gap = -0.5 * contact.depth * contact.normal;
+        const Vector<Dim> on_a = with_a.carry(contact.point - half_gap);
+        const Vector<Dim> on_b = with_b.carry(contact.point + half_gap);
+        const Vector<Dim> normal =
+            ((with_a.rotation + with_b.rotation) * contact.normal).normalized();
+        carried.push_back({0.5 * (on_a + on_b), normal, -normal.dot(on_b - on_a)});
+    }
+    return carried;
+}
+
+namespace {
+
+/// Whether a body that moves is in a collision of the frame beside the pair's own.
+template <int Dim>
+bool collides_elsewhere(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
+                        const std::vector<Front>& fronts, std::size_t own) {
+    const auto shares = [&](std::int32_t body, const CandidatePair& other) {
+        return !bodies[at(body)].is_static() && (other.a == body || other.b == body);
+    };
+    for (std::size_t p = 0; p < pairs.size(); ++p)
+        if (p != own && !fronts[p].pairs.empty() &&
+            (shares(pairs[own].a, pairs[p]) || shares(pairs[own].b, pairs[p])))
+            return true;
+    return false;
+}
+
+/// A front that the true shapes proved wrong: the nodes overlap, the bodies don't.
+void clear_contacts(Front& front) {
+    front.pairs.clear();
+    front.verdict = Verdict::apart;
+}
+
+template <int Dim>
+void settle_backtracking(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
+                         const FinestDetail& detail, double time_step,
+                         const std::vector<Front>& fronts, std::vector<FinestPair<Dim>>& found) {
+    for (FinestPair<Dim>& pair : found) {
+        if (pair.touch.verdict == ExactVerdict::apart) continue;
+        const std::size_t p = at(pair.pair);
+        pair.backtracked = detail.level == Finest::backtrack && pair.touch.time <= 0 &&
+                           pair.touch.time >= -time_step &&
+                           !collides_elsewhere(bodies, pairs, fronts, p);
+        pair.contacts = pair.backtracked ? pair.touch.contacts
+                                         : carried_contacts(pair.touch, bodies[at(pairs[p].a)],
+                                                            bodies[at(pairs[p].b)]);
+    }
+}
+
+}  // namespace
+
+template <int Dim>
+bool refine_finest(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
+                   std::span<const std::int32_t> order, const FinestDetail& detail,
+                   double time_step, Budget& budget, std::vector<Front>& fronts,
+                   std::vector<FinestPair<Dim>>& found) {
+    found.clear();
+    if (detail.level == Finest::leaves) return false;
+    std::uint64_t contacts = 0;
+    for (std::size_t p = 0; p < pairs.size(); ++p) contacts += fronts[p].pairs.size();
+    int asked = 0;
+    bool interrupted = false;
+    for (std::int32_t i : order) {
+        Front& front = fronts[at(i)];
+        const Body<Dim>& a = bodies[at(pairs[at(i)].a)];
+        const Body<Dim>& b = bodies[at(pairs[at(i)].b)];
+        const bool ripe = front.finest && front.verdict == Verdict::true_collision;
+        if (!ripe || !a.exact || !b.exact) continue;
+        if (asked == detail.most_pairs) break;
+        ++asked;
+        budget.reserve_contacts(contacts);
+        const std::uint64_t paid = budget.grant(detail.cost);
+        front.tests += paid;
+        interrupted = paid < detail.cost;
+        if (interrupted) break;
+        auto touch = exact_contact(a, b, time_step, detail.tolerance);
+        if (touch.verdict == ExactVerdict::unresolved) continue;
+        const std::uint64_t more = touch.contacts.size();
+        const std::uint64_t fewer = front.pairs.size();
+        if (more > fewer && !budget.keeps_level(more - fewer)) {
+            if (front.tests > 0) --front.tests;
+            interrupted = true;
+            break;
+        }
+        contacts += more;
+        contacts -= fewer;
+        if (touch.verdict == ExactVerdict::apart) clear_contacts(front);
+        found.push_back({i, false, std::move(touch), {}});
+    }
+    settle_backtracking(bodies, pairs, detail, time_step, fronts, found);
+    std::ranges::sort(found, {}, &FinestPair<Dim>::pair);
+    return interrupted;
+}
+
+#define LOD_INSTANTIATE(Dim)                                                                      \
+    template ExactContact<Dim> exact_contact(const Body<Dim>&, const Body<Dim>&, double, double); \
+    template std::vector<Contact<Dim>> carried_contacts(const ExactContact<Dim>&,                 \
+                                                        const Body<Dim>&, const Body<Dim>&);      \
+    template bool refine_finest(std::span<const Body<Dim>>, std::span<const CandidatePair>,       \
+                                std::span<const std::int32_t>, const FinestDetail&, double,       \
+                                Budget&, std::vector<Front>&, std::vector<FinestPair<Dim>>&);
+LOD_INSTANTIATE(2)
+LOD_INSTANTIATE(3)
+#undef LOD_INSTANTIATE
+
+}  // namespace lod
