@@ -4,6 +4,9 @@
 #include <charconv>
 #include <limits>
 
+#include "core/error.hpp"
+#include "lessons/source.hpp"
+
 namespace lessons {
 
 std::string shown(double value, int decimals) {
@@ -32,6 +35,36 @@ std::string with_unit(std::string number, const std::string& unit) {
 
 Number number(double value, int decimals, const std::string& unit) {
     return {value, with_unit(shown(value, decimals), unit)};
+}
+
+std::string in_words(lod::Verdict verdict) {
+    if (verdict == lod::Verdict::apart) return "apart";
+    return verdict == lod::Verdict::possible ? "possible" : "true collision";
+}
+
+void add_step(Lesson& lesson, const std::string& title, const std::string& text, viz::Figure figure,
+              const Named& numbers, const std::string& figure_name) {
+    const std::string where = lesson.entry.slug + ", step '" + title + "'";
+    const auto number_named = [&](const std::string& name) {
+        const auto found = lesson.numbers.find(name);
+        if (found == lesson.numbers.end())
+            throw lod::Error(lod::ErrorKind::input_refused,
+                             where + ": the lesson has no number '" + name + "'");
+        return found->second;
+    };
+    Step step{title, {}, std::move(figure), {}};
+    std::size_t end = 0;
+    for (const Tag& tag : find_tags(text, where)) {
+        if (tag.kind != "number")
+            throw lod::Error(lod::ErrorKind::input_refused,
+                             where + ": a step's text holds numbers only, not a " + tag.kind);
+        step.text += text.substr(end, tag.begin - end) + number_named(tag.name).text;
+        end = tag.end;
+    }
+    step.text += text.substr(end);
+    for (const auto& [told, name] : numbers) step.numbers[told] = number_named(name);
+    if (!figure_name.empty()) lesson.figures[figure_name] = step.figure;
+    lesson.steps.push_back(std::move(step));
 }
 
 lod2d::Shape scaled(const lod2d::Shape& shape, double factor) {
@@ -107,6 +140,14 @@ void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<2>& from,
 void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<2>& tail,
                const lod::Vector<2>& tip, const std::string& label, int body) {
     panel.marks.push_back(viz::Arrow{style(role, body), at(tail), at(tip), label});
+}
+
+void add_centres(viz::Panel& panel, const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
+    add_line(panel, viz::Role::construction, a.centre, b.centre);
+    add_dot(panel, viz::Role::contact, a.centre);
+    add_dot(panel, viz::Role::contact, b.centre);
+    add_label(panel, viz::Role::note, a.centre, "*o*_a");
+    add_label(panel, viz::Role::note, b.centre, "*o*_b");
 }
 
 void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<2>& anchor,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/body.hpp"
+#include "core/traversal.hpp"
 #include "lessons/lessons.hpp"
 #include "lod2d/build_tree.hpp"
 #include "lod2d/distance.hpp"
@@ -31,6 +32,18 @@ namespace lessons {
 [[nodiscard]] Number count(std::integral auto value, const std::string& unit = "") {
     return {static_cast<double>(value), with_unit(shown_count(value), unit)};
 }
+
+/// "apart", "possible", "true collision".
+[[nodiscard]] std::string in_words(lod::Verdict verdict);
+
+/// A lesson's numbers as a step shows them: what the reader is told they are -> their name.
+using Named = std::map<std::string, std::string>;
+
+/// Adds a step to the lesson. In the text, `{{number: NAME}}` stands for a number of the lesson, as
+/// it does on the page. With a figure name the page may show the step's picture again.
+/// Throws lod::Error (input refused) for a number that the lesson does not have.
+void add_step(Lesson& lesson, const std::string& title, const std::string& text, viz::Figure figure,
+              const Named& numbers = {}, const std::string& figure_name = "");
 
 /// The shape at another size.
 [[nodiscard]] lod2d::Shape scaled(const lod2d::Shape& shape, double factor);
@@ -60,6 +73,8 @@ void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<2>& from,
               const lod::Vector<2>& to, int body = 0);
 void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<2>& tail,
                const lod::Vector<2>& tip, const std::string& label = "", int body = 0);
+/// The centre line of two discs; the centres are o_a and o_b.
+void add_centres(viz::Panel& panel, const lod::Sphere<2>& a, const lod::Sphere<2>& b);
 void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<2>& anchor,
                const std::string& text, int body = 0, double clearance = 0);
 

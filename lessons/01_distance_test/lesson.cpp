@@ -87,13 +87,9 @@ void add_measure(viz::Panel& panel, const Scene& scene) {
     const Sphere<2> a = scene.gear_circle();
     const Sphere<2> b = scene.star_circle();
     const Vec along = (b.centre - a.centre).normalized();
-    add_line(panel, viz::Role::construction, a.centre, b.centre);
+    add_centres(panel, a, b);
     add_arrow(panel, viz::Role::velocity, a.centre, a.centre + a.radius * along, "*R*_a", 0);
     add_arrow(panel, viz::Role::velocity, b.centre, b.centre - b.radius * along, "*R*_b", 1);
-    add_dot(panel, viz::Role::contact, a.centre);
-    add_dot(panel, viz::Role::contact, b.centre);
-    add_label(panel, viz::Role::note, a.centre, "*o*_a");
-    add_label(panel, viz::Role::note, b.centre, "*o*_b");
 }
 
 void add_test_numbers(viz::Figure& figure, const Scene& scene) {
@@ -131,16 +127,15 @@ void step_shapes(Lesson& lesson, const Scene& scene) {
                   "A gear with nine teeth and a star with five points, side by side.");
     figure.numbers = {{"edge pairs", shown_count(scene.edge_pairs)}};
     lesson.numbers["edge pairs"] = count(scene.edge_pairs);
-    lesson.steps.push_back(
-        {"Two outlines, many edges",
-         "Your eye answers at once. A program that knows only outlines has to try edge after edge: "
-         "every edge of the gear against every edge of the star, " +
-             shown_count(scene.edge_pairs) +
-             " pairs for these two. A hundred such bodies have 4950 pairs of bodies, sixty times a "
-             "second.\n\n"
-             "**Predict:** what is the cheapest question that could settle most of these pairs?",
-         std::move(figure),
-         {{"edge pairs", lesson.numbers["edge pairs"]}}});
+    add_step(
+        lesson, "Two outlines, many edges",
+        "Your eye answers at once. A program that knows only outlines has to try edge after edge: "
+        "every edge of the gear against every edge of the star, " +
+            shown_count(scene.edge_pairs) +
+            " pairs for these two. A hundred such bodies have 4950 pairs of bodies, sixty times a "
+            "second.\n\n"
+            "**Predict:** what is the cheapest question that could settle most of these pairs?",
+        std::move(figure), {{"edge pairs", "edge pairs"}});
 }
 
 void step_circles(Lesson& lesson, const Scene& scene) {
@@ -158,36 +153,30 @@ void step_circles(Lesson& lesson, const Scene& scene) {
     }
     lesson.numbers["R_a"] = number(scene.gear_radius, 3, "m");
     lesson.numbers["R_b"] = number(scene.star_radius, 3, "m");
-    lesson.steps.push_back(
-        {"Put each in a circle",
-         "A circle is three numbers: its centre o (two) and its radius R (one). Each circle here "
-         "is "
-         "drawn round the centre of mass and reaches the farthest corner, so it holds the whole "
-         "shape. That is the only promise the test will need.",
-         figure_of(std::move(panel), "A circle that holds each shape",
-                   "The gear and the star, each in a circle round its centre of mass that just "
-                   "holds it."),
-         {{"R_a", lesson.numbers["R_a"]}, {"R_b", lesson.numbers["R_b"]}}});
+    add_step(
+        lesson, "Put each in a circle",
+        "A circle is three numbers: its centre o (two) and its radius R (one). Each circle here is "
+        "drawn round the centre of mass and reaches the farthest corner, so it holds the whole "
+        "shape. That is the only promise the test will need.",
+        figure_of(
+            std::move(panel), "A circle that holds each shape",
+            "The gear and the star, each in a circle round its centre of mass that just holds it."),
+        {{"R_a", "R_a"}, {"R_b", "R_b"}});
 }
 
 void step_apart(Lesson& lesson, Scene scene) {
     place_star(scene, 1.95);
     lesson.numbers["apart distance"] = number(distance_of(scene), 3, "m");
     lesson.numbers["reach"] = number(reach_of(scene), 3, "m");
-    lesson.steps.push_back(
-        {"Farther than the radii reach: apart",
-         "Lay one radius along the centre line from each end. They do not meet: the distance d "
-         "is " +
-             lesson.numbers["apart distance"].text + ", and R_a + R_b reaches only " +
-             lesson.numbers["reach"].text +
-             ". So the circles are apart. All of A lies inside its circle, all of B inside its "
-             "own, "
+    add_step(lesson, "Farther than the radii reach: apart",
+             "Lay one radius along the centre line from each end. They do not meet: the distance d "
+             "is {{number: apart distance}}, and R_a + R_b reaches only {{number: reach}}. So the "
+             "circles are apart. All of A lies inside its circle, all of B inside its own, "
              "therefore A and B are apart too.\n\n"
-             "**Apart is proof.** One test has settled what " +
-             lesson.numbers["edge pairs"].text + " edge pairs would have said.",
-         draw_test(scene, "Farther apart than the radii reach"),
-         {{"d", lesson.numbers["apart distance"]}, {"R_a + R_b", lesson.numbers["reach"]}}});
-    lesson.figures["apart"] = lesson.steps.back().figure;
+             "**Apart is proof.** One test has settled what {{number: edge pairs}} edge pairs "
+             "would have said.",
+             draw_test(scene, "Farther apart than the radii reach"),
+             {{"d", "apart distance"}, {"R_a + R_b", "reach"}}, "apart");
 }
 
 void step_squares(Lesson& lesson, Scene scene) {
@@ -214,19 +203,13 @@ void step_squares(Lesson& lesson, Scene scene) {
     figure.numbers = {{"*d*²", shown(distance_squared, 3) + " m²"},
                       {"(*R*_a + *R*_b)²", shown(reach_squared, 3) + " m²"},
                       {"verdict", touching ? "circles meet" : "apart"}};
-    lesson.steps.push_back(
-        {"Compare the squares",
-         "Pythagoras gives the distance squared: d² = x² + y² = " +
-             lesson.numbers["distance squared"].text +
-             ". A square root would turn it into d, but why should it? Neither side of the "
+    add_step(lesson, "Compare the squares",
+             "Pythagoras gives the distance squared: d² = x² + y² = {{number: distance squared}}. "
+             "A square root would turn it into d, but why should it? Neither side of the "
              "comparison is negative, and of two such numbers the one with the larger square is "
-             "the "
-             "larger. So compare d² with (R_a + R_b)² = " +
-             lesson.numbers["reach squared"].text +
-             " and save the root: two differences, three products, two sums, one comparison.",
-         std::move(figure),
-         {{"d²", lesson.numbers["distance squared"]},
-          {"(R_a + R_b)²", lesson.numbers["reach squared"]}}});
+             "the larger. So compare d² with (R_a + R_b)² = {{number: reach squared}} and save the "
+             "root: two differences, three products, two sums, one comparison.",
+             std::move(figure), {{"d²", "distance squared"}, {"(R_a + R_b)²", "reach squared"}});
 }
 
 /// The place where the outlines come nearest, enlarged.
@@ -257,20 +240,15 @@ void step_overlap(Lesson& lesson, Scene scene) {
     figure.shared_scale = false;
     figure.aspect = 16.0 / 9;
     lesson.numbers["gap"] = number(gap.distance, 3, "m");
-    lesson.steps.push_back(
-        {"The circles meet. Do the shapes?",
-         "The star has come closer: d is now " + lesson.numbers["near distance"].text +
-             ", less than the reach of " + lesson.numbers["reach"].text +
-             ". The circles overlap, and both are drawn bold. Yet you can see daylight: the "
-             "outlines are still " +
-             lesson.numbers["gap"].text +
-             " apart.\n\n"
-             "**Overlap proves nothing.** It says *possible*. The circles also hold empty "
-             "corners, and it may be only those that meet. Lesson 2 shrinks the empty corners; "
-             "this test stays as it is.",
-         std::move(figure),
-         {{"d", lesson.numbers["near distance"]}, {"gap of the outlines", lesson.numbers["gap"]}}});
-    lesson.figures["possible"] = lesson.steps.back().figure;
+    add_step(lesson, "The circles meet. Do the shapes?",
+             "The star has come closer: d is now {{number: near distance}}, less than the reach of "
+             "{{number: reach}}. The circles overlap, and both are drawn bold. Yet you can see "
+             "daylight: the outlines are still {{number: gap}} apart.\n\n"
+             "**Overlap proves nothing.** It says *possible*. The circles also hold empty corners, "
+             "and it may be only those that meet. Lesson 2 shrinks the empty corners; this test "
+             "stays as it is.",
+             std::move(figure), {{"d", "near distance"}, {"gap of the outlines", "gap"}},
+             "possible");
 }
 
 /// The star passes the gear: far, near, far.

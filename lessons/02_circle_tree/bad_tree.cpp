@@ -77,11 +77,6 @@ lod::Verdict verdict_at(const Hole& hole, const Tree& tree) {
     return lod::traverse_levels<2>(crescent, visitor).back().verdict;
 }
 
-std::string in_words(lod::Verdict verdict) {
-    if (verdict == lod::Verdict::apart) return "apart";
-    return verdict == lod::Verdict::possible ? "possible" : "true collision";
-}
-
 viz::Figure draw_hole(const Crescent& crescent, const Hole& hole) {
     const Tree tree = spoiled(*crescent.tree, hole.leaf);
     const Sphere<2> was = crescent.tree->sphere(hole.leaf);
@@ -104,10 +99,10 @@ viz::Figure draw_hole(const Crescent& crescent, const Hole& hole) {
     add_disc(panel, {hole.centre, hole.radius}, style(viz::Role::meeting_node, 1));
     add_label(panel, viz::Role::body, tree.sphere(hole.leaf).centre, "the leaf, too small", 0);
     add_label(panel, viz::Role::body, hole.centre, "visitor", 1, hole.radius);
-    return figure_of(std::move(panel), "A tree with a hole lets bodies pass",
-                     "Leaves of the crescent's tree, one of them too small; a dashed circle shows "
-                     "how large it was. A small disc lies in the crescent but in none of the "
-                     "leaves.");
+    return figure_of(
+        std::move(panel), "A tree with a hole lets bodies pass",
+        "Leaves of the crescent's tree, one of them too small; a dashed circle shows how large it "
+        "was. A small disc lies in the crescent but in none of the leaves.");
 }
 
 }  // namespace
@@ -122,19 +117,16 @@ void step_hole(Lesson& lesson, const Crescent& crescent) {
     lesson.numbers["spoiled leaf"] = count(hole.leaf);
     viz::Figure figure = draw_hole(crescent, hole);
     figure.numbers = {{"sound tree says", good}, {"spoiled tree says", bad}};
-    lesson.steps.push_back(
-        {"What a bad tree does",
-         "Make one leaf too small, here 60 % of its radius. Part of the crescent now lies in no "
-         "leaf. Put a visitor there, a disc of radius " +
-             lesson.numbers["visitor"].text +
-             ": its centre lies inside the crescent, yet the spoiled tree says **" + bad +
-             "**. The sound tree says " + good +
-             ".\n\n"
-             "A circle that is too large costs time. A circle that is too small costs the proof: "
-             "*apart* no longer means apart, and bodies fall through each other.",
-         std::move(figure),
-         {{"sound tree", {0, good}}, {"spoiled tree", {0, bad}}}});
-    lesson.figures["hole"] = lesson.steps.back().figure;
+    add_step(lesson, "What a bad tree does",
+             "Make one leaf too small, here 60 % of its radius. Part of the crescent now lies in "
+             "no leaf. Put a visitor there, a disc of radius {{number: visitor}}: its centre lies "
+             "inside the crescent, yet the spoiled tree says **" +
+                 bad + "**. The sound tree says " + good +
+                 ".\n\n"
+                 "A circle that is too large costs time. A circle that is too small costs the "
+                 "proof: *apart* no longer means apart, and bodies fall through each other.",
+             std::move(figure), {{"sound tree", "good verdict"}, {"spoiled tree", "bad verdict"}},
+             "hole");
 }
 
 void step_certificate(Lesson& lesson, const Crescent& crescent) {
@@ -172,22 +164,19 @@ void step_certificate(Lesson& lesson, const Crescent& crescent) {
     figure.numbers = {
         {"corners", lesson.numbers["corners"].text},
         {"levels certified", std::to_string(certified) + " of " + std::to_string(sound.size())}};
-    lesson.steps.push_back(
-        {"The certificate",
-         "How can a program be sure about infinitely many points? A circle is round and a piece "
-         "has "
-         "straight sides. If a circle holds the two ends of a side, it holds the whole side; if it "
-         "holds all corners, it holds the whole piece. So it is enough to try the corners, " +
-             lesson.numbers["corners"].text +
-             " of them for this piece of level 2. lodlab does it for every node of every tree it "
-             "builds. This tree is certified at all " +
-             lesson.numbers["certified levels"].text + " levels. The spoiled tree is " +
-             (bad.back().certified ? "certified too" : "refused") + ": up to " +
-             lesson.numbers["uncovered"].text + " of the crescent may be uncovered.",
-         std::move(figure),
-         {{"levels certified", lesson.numbers["certified levels"]},
-          {"spoiled: uncovered at most", lesson.numbers["uncovered"]}}});
-    lesson.figures["certificate"] = lesson.steps.back().figure;
+    add_step(
+        lesson, "The certificate",
+        "How can a program be sure about infinitely many points? A circle is round and a piece has "
+        "straight sides. If a circle holds the two ends of a side, it holds the whole side; if it "
+        "holds all corners, it holds the whole piece. So it is enough to try the corners, "
+        "{{number: corners}} of them for this piece of level 2. lodlab does it for every node of "
+        "every tree it builds. This tree is certified at all {{number: certified levels}} levels. "
+        "The spoiled tree is " +
+            std::string(bad.back().certified ? "certified too" : "refused") +
+            ": up to {{number: uncovered}} of the crescent may be uncovered.",
+        std::move(figure),
+        {{"levels certified", "certified levels"}, {"spoiled: uncovered at most", "uncovered"}},
+        "certificate");
 }
 
 }  // namespace lessons::tree

@@ -89,18 +89,15 @@ void name_numbers(Lesson& lesson, const Facts& facts) {
 
 void step_root(Lesson& lesson, const Crescent& crescent) {
     lesson.numbers["filled share"] = number(100 / crescent.facts[0].measure_ratio, 0, "%");
-    lesson.steps.push_back(
-        {"Level 0: the root",
-         "The root is the smallest circle that holds the whole crescent. Only " +
-             lesson.numbers["filled share"].text +
-             " of it is filled: a body in the crescent's mouth meets the circle long before it "
-             "meets the crescent. The farthest point of the circle is " +
-             lesson.numbers["worst 0"].text +
-             " away from the shape. We call this the *protrusion*; it bounds the gap at which "
-             "bodies may seem to collide.\n\n"
+    add_step(lesson, "Level 0: the root",
+             "The root is the smallest circle that holds the whole crescent. Only {{number: filled "
+             "share}} of it is filled: a body in the crescent's mouth meets the circle long before "
+             "it meets the crescent. The farthest point of the circle is {{number: worst 0}} away "
+             "from the shape. We call this the *protrusion*; it bounds the gap at which bodies may "
+             "seem to collide.\n\n"
              "**Predict:** you may use four circles instead of one. Where do you put them?",
-         draw_level(crescent, 0, "Level 0: one circle holds it all"),
-         {{"filled", lesson.numbers["filled share"]}, {"protrusion", lesson.numbers["worst 0"]}}});
+             draw_level(crescent, 0, "Level 0: one circle holds it all"),
+             {{"filled", "filled share"}, {"protrusion", "worst 0"}});
 }
 
 void step_pieces(Lesson& lesson, const Crescent& crescent) {
@@ -129,19 +126,15 @@ void step_pieces(Lesson& lesson, const Crescent& crescent) {
     }
     lesson.numbers["smallest piece"] = number(least, 3, "m²");
     lesson.numbers["largest piece"] = number(most, 3, "m²");
-    lesson.steps.push_back(
-        {"Level 1: cut the shape, then fit a circle to each piece",
-         "Every node *owns a piece* of the shape. The pieces of the children together are exactly "
-         "the piece of their parent: nothing is lost, nothing is owned twice. Each child gets a "
-         "circle that holds its piece. The cuts are straight; where two circles cross, the cut "
-         "runs through both crossing points.\n\n"
-         "The builder starts from a guess, cuts, fits the circles, cuts again with the new "
-         "circles, "
-         "and repeats while the fit improves.",
-         std::move(figure),
-         {{"smallest piece", lesson.numbers["smallest piece"]},
-          {"largest piece", lesson.numbers["largest piece"]}}});
-    lesson.figures["pieces"] = lesson.steps.back().figure;
+    add_step(lesson, "Level 1: cut the shape, then fit a circle to each piece",
+             "Every node *owns a piece* of the shape. The pieces of the children together are "
+             "exactly the piece of their parent: nothing is lost, nothing is owned twice. Each "
+             "child gets a circle that holds its piece. The cuts are straight; where two circles "
+             "cross, the cut runs through both crossing points.\n\n"
+             "The builder starts from a guess, cuts, fits the circles, cuts again with the new "
+             "circles, and repeats while the fit improves.",
+             std::move(figure),
+             {{"smallest piece", "smallest piece"}, {"largest piece", "largest piece"}}, "pieces");
 }
 
 /// How far a node reaches outside its parent [m]; 0 or less when it does not.
@@ -175,18 +168,14 @@ void step_outside(Lesson& lesson, const Crescent& crescent) {
                                    "child's circle reaches outside its parent's.");
     figure.numbers = {
         {"reach outside", shown_count(outside) + " of " + shown_count(tree.size() - 1)}};
-    lesson.steps.push_back(
-        {"What a parent promises, and what not",
-         "**Predict:** must a child's circle lie inside its parent's?\n\nNo. " +
-             lesson.numbers["children outside"].text +
-             " circles of this tree reach outside their " + "parent's, out of " +
-             lesson.numbers["nodes in all"].text +
-             ". Nothing is wrong with that: a circle must hold its *piece*, and every circle holds "
-             "some empty space besides. What counts is that the pieces of the children lie in the "
-             "parent's circle, for then every point of the shape lies in a whole chain of circles, "
-             "from the root down.",
-         std::move(figure),
-         {{"reach outside", lesson.numbers["children outside"]}}});
+    add_step(lesson, "What a parent promises, and what not",
+             "**Predict:** must a child's circle lie inside its parent's?\n\n"
+             "No. {{number: children outside}} circles of this tree reach outside their parent's, "
+             "out of {{number: nodes in all}}. Nothing is wrong with that: a circle must hold its "
+             "*piece*, and every circle holds some empty space besides. What counts is that the "
+             "pieces of the children lie in the parent's circle, for then every point of the shape "
+             "lies in a whole chain of circles, from the root down.",
+             std::move(figure), {{"reach outside", "children outside"}});
 }
 
 /// How a level compares with the one above it, whichever way it went.
@@ -211,19 +200,18 @@ void steps_levels(Lesson& lesson, const Crescent& crescent) {
                 "will it stand out?";
         if (k == 3)
             text +=
-                " Along a smooth stretch of outline, four circles side by side follow it far "
-                "more closely than one.";
+                " Along a smooth stretch of outline, four circles side by side follow it far more "
+                "closely than one.";
         if (k + 1 == crescent.facts.size())
             text +=
-                "\n\nThe circles without children are the *leaves*. A traversal that gets this "
-                "far sees the crescent to within that distance, and no better.";
-        lesson.steps.push_back({"Level " + name,
-                                text,
-                                draw_level(crescent, static_cast<int>(k),
-                                           "Level " + name + ": " + circles_text(facts.nodes)),
-                                {{"circles", count(facts.nodes)},
-                                 {"worst protrusion", lesson.numbers["worst " + name]},
-                                 {"mean protrusion", lesson.numbers["mean " + name]}}});
+                "\n\nThe circles without children are the *leaves*. A traversal that gets this far "
+                "sees the crescent to within that distance, and no better.";
+        add_step(lesson, "Level " + name, text,
+                 draw_level(crescent, static_cast<int>(k),
+                            "Level " + name + ": " + circles_text(facts.nodes)),
+                 {{"circles", "circles " + name},
+                  {"worst protrusion", "worst " + name},
+                  {"mean protrusion", "mean " + name}});
     }
 }
 
@@ -250,14 +238,12 @@ void step_builders(Lesson& lesson, const Crescent& crescent) {
                 "\n";
     }
     text +=
-        "\nThe quadtree halves squares and never looks at the shape. The others fit their "
-        "circles to the pieces. Tighter circles overlap less often, so the same proof needs "
-        "fewer tests.";
+        "\nThe quadtree halves squares and never looks at the shape. The others fit their circles "
+        "to the pieces. Tighter circles overlap less often, so the same proof needs fewer tests.";
     figure.alt =
-        "The crescent covered by the circles of level 3 of three trees: quadtree, pieces "
-        "and medial. The quadtree's circles stand out most.";
-    lesson.steps.push_back({"Good trees and better ones", text, std::move(figure), {}});
-    lesson.figures["builders"] = lesson.steps.back().figure;
+        "The crescent covered by the circles of level 3 of three trees: quadtree, pieces and "
+        "medial. The quadtree's circles stand out most.";
+    add_step(lesson, "Good trees and better ones", text, std::move(figure), {}, "builders");
 }
 
 viz::Polyline curve_of(const Facts& facts, double lod2d::LevelReport::*value, int series,

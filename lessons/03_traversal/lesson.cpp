@@ -16,7 +16,6 @@ using lod::Budget;
 using lod::Front;
 using lod::NodePair;
 using lod::PosedTree;
-using lod::Verdict;
 using Vec = lod::Vector<2>;
 
 constexpr int depth = 4;
@@ -36,11 +35,6 @@ struct Scene {
                               outline_of(star_shape, star.body));
     }
 };
-
-std::string in_words(Verdict verdict) {
-    if (verdict == Verdict::apart) return "apart";
-    return verdict == Verdict::possible ? "possible" : "true collision";
-}
 
 std::uint64_t tests_of_level(const Scene& scene, std::size_t level) {
     return scene.levels[level].tests - (level > 0 ? scene.levels[level - 1].tests : 0);
@@ -69,11 +63,22 @@ viz::Figure draw_level(const Scene& scene, std::size_t level) {
     return figure;
 }
 
-std::map<std::string, Number> numbers_of_level(const Scene& scene, std::size_t level) {
-    const Front& front = scene.levels[level];
-    return {{"tests at this level", count(tests_of_level(scene, level))},
-            {"tests so far", count(front.tests)},
-            {"front", count(front.pairs.size(), front.pairs.size() == 1 ? "pair" : "pairs")}};
+void name_numbers(Lesson& lesson, const Scene& scene) {
+    for (std::size_t level = 0; level < scene.levels.size(); ++level) {
+        const std::size_t pairs = scene.levels[level].pairs.size();
+        const std::string name = std::to_string(level);
+        lesson.numbers["tests " + name] = count(tests_of_level(scene, level));
+        lesson.numbers["tests so far " + name] = count(scene.levels[level].tests);
+        lesson.numbers["front " + name] = count(pairs, pairs == 1 ? "pair" : "pairs");
+    }
+}
+
+/// What a step shows of a level.
+Named numbers_of_level(std::size_t level) {
+    const std::string name = std::to_string(level);
+    return {{"tests at this level", "tests " + name},
+            {"tests so far", "tests so far " + name},
+            {"front", "front " + name}};
 }
 
 /// Stands the star at x, a little above the middle of the crescent's mouth, and traverses anew.
@@ -127,18 +132,16 @@ std::uint64_t leaves_of(const viz::Actor<2>& actor) {
 }
 
 void step_roots(Lesson& lesson, const Scene& scene) {
-    lesson.steps.push_back(
-        {"Level 0: the two roots",
-         "One distance test, crescent's root against star's root. They intersect, so the pair "
-         "(root, root) "
-         "goes on. The list of node pairs that go on is called the *front*; its circles are drawn "
-         "bold. "
-         "The verdict is *possible*: nothing is known yet.\n\n"
-         "**Predict:** the crescent's root has " +
-             std::to_string(scene.crescent.body.tree->child_count[0]) +
-             " children, the star's has " + std::to_string(scene.star.body.tree->child_count[0]) +
-             ". How many tests does level 1 take? Which of them will find an overlap?",
-         draw_level(scene, 0), numbers_of_level(scene, 0)});
+    add_step(lesson, "Level 0: the two roots",
+             "One distance test, crescent's root against star's root. They intersect, so the pair "
+             "(root, root) goes on. The list of node pairs that go on is called the *front*; its "
+             "circles are drawn bold. The verdict is *possible*: nothing is known yet.\n\n"
+             "**Predict:** the crescent's root has " +
+                 std::to_string(scene.crescent.body.tree->child_count[0]) +
+                 " children, the star's has " +
+                 std::to_string(scene.star.body.tree->child_count[0]) +
+                 ". How many tests does level 1 take? Which of them will find an overlap?",
+             draw_level(scene, 0), numbers_of_level(0));
 }
 
 std::string text_of_level(const Scene& scene, std::size_t level) {
@@ -152,11 +155,9 @@ std::string text_of_level(const Scene& scene, std::size_t level) {
     if (now == 0)
         return text +
                "**None of them overlap.** Every point of the crescent lies in a circle of this "
-               "level, every "
-               "point of the star too, and no two of these circles share a point. So the bodies do "
-               "not touch. "
-               "This is proof, and the work on the pair is over; deeper levels are never looked "
-               "at.";
+               "level, every point of the star too, and no two of these circles share a point. So "
+               "the bodies do not touch. This is proof, and the work on the pair is over; deeper "
+               "levels are never looked at.";
     text += shown_count(now) + " of them overlap and form the new front. ";
     if (level == 1)
         text +=
@@ -166,21 +167,19 @@ std::string text_of_level(const Scene& scene, std::size_t level) {
     else if (now < before)
         text +=
             "The front has become smaller: closer circles hold less empty space, and what is left "
-            "is "
-            "the region where the bodies come nearest.";
+            "is the region where the bodies come nearest.";
     else
         text +=
             "The front has grown in number, but it covers a smaller part of the picture: finer "
-            "circles, "
-            "nearer to the place that matters.";
+            "circles, nearer to the place that matters.";
     return text;
 }
 
 void steps_near_miss(Lesson& lesson, const Scene& scene) {
     step_roots(lesson, scene);
     for (std::size_t level = 1; level < scene.levels.size(); ++level)
-        lesson.steps.push_back({"Level " + std::to_string(level), text_of_level(scene, level),
-                                draw_level(scene, level), numbers_of_level(scene, level)});
+        add_step(lesson, "Level " + std::to_string(level), text_of_level(scene, level),
+                 draw_level(scene, level), numbers_of_level(level));
 }
 
 /// All levels of a traversal side by side.
@@ -208,46 +207,35 @@ void step_cost(Lesson& lesson, const Scene& scene) {
     lesson.numbers["leaf pairs"] = count(all);
     lesson.numbers["edge pairs"] = count(edges);
     lesson.numbers["miss levels"] = count(scene.levels.size() - 1);
-    lesson.steps.push_back(
-        {"What it cost",
-         "The whole proof took " + lesson.numbers["miss tests"].text +
-             " distance tests. Trying every leaf of the crescent against every leaf of the star "
-             "would "
-             "take " +
-             lesson.numbers["leaf pairs"].text + ", every edge against every edge " +
-             lesson.numbers["edge pairs"].text +
-             " dearer ones. And where the bodies are far apart, one test is enough.",
-         montage(scene, "The star in the crescent's mouth: every level until the proof"),
-         {{"tests", lesson.numbers["miss tests"]},
-          {"pairs of leaves", lesson.numbers["leaf pairs"]},
-          {"pairs of edges", lesson.numbers["edge pairs"]}}});
-    lesson.figures["near miss"] = lesson.steps.back().figure;
+    add_step(lesson, "What it cost",
+             "The whole proof took {{number: miss tests}} distance tests. Trying every leaf of the "
+             "crescent against every leaf of the star would take {{number: leaf pairs}}, every "
+             "edge against every edge {{number: edge pairs}} dearer ones. And where the bodies are "
+             "far apart, one test is enough.",
+             montage(scene, "The star in the crescent's mouth: every level until the proof"),
+             {{"tests", "miss tests"},
+              {"pairs of leaves", "leaf pairs"},
+              {"pairs of edges", "edge pairs"}},
+             "near miss");
 }
 
 void step_collision(Lesson& lesson, const Scene& scene) {
     lesson.numbers["hit tests"] = count(scene.tests());
     lesson.numbers["hit pairs"] = count(scene.levels.back().pairs.size());
     const std::string truly = scene.truly_touch() ? "do touch" : "do not touch";
-    lesson.steps.push_back(
-        {"A true collision",
-         "Now the star has moved over until one of its points reaches the crescent. The fronts "
-         "never run "
-         "empty, and the last of them holds " +
-             lesson.numbers["hit pairs"].text +
-             " pairs of *leaves*. A leaf has no children, so there is nothing finer to ask: the "
-             "verdict is "
-             "*true collision*. (The outlines themselves " +
-             truly +
-             ", says an exact test. Leaves stand out of the shape a little, so a true collision of "
-             "the "
-             "trees may be a gap of the outlines, of no more than the two protrusions.)\n\n"
-             "Three verdicts, then. **Apart** is proof at any level. **Possible** is the answer of "
-             "every "
-             "level above the leaves. **True** is what the leaves say.",
-         montage(scene, "The star touches: every level down to the leaves"),
-         {{"tests", lesson.numbers["hit tests"]},
-          {"pairs of leaves", lesson.numbers["hit pairs"]}}});
-    lesson.figures["collision"] = lesson.steps.back().figure;
+    add_step(
+        lesson, "A true collision",
+        "Now the star has moved over until one of its points reaches the crescent. The fronts "
+        "never run empty, and the last of them holds {{number: hit pairs}} pairs of *leaves*. A "
+        "leaf has no children, so there is nothing finer to ask: the verdict is *true collision*. "
+        "(The outlines themselves " +
+            truly +
+            ", says an exact test. Leaves stand out of the shape a little, so a true collision of "
+            "the trees may be a gap of the outlines, of no more than the two protrusions.)\n\n"
+            "Three verdicts, then. **Apart** is proof at any level. **Possible** is the answer of "
+            "every level above the leaves. **True** is what the leaves say.",
+        montage(scene, "The star touches: every level down to the leaves"),
+        {{"tests", "hit tests"}, {"pairs of leaves", "hit pairs"}}, "collision");
 }
 
 // listing: interruption
@@ -285,25 +273,24 @@ void step_interruption(Lesson& lesson, const Scene& scene) {
     figure.numbers = {{"budget", shown_count(quota) + " tests"},
                       {"last finished level", std::to_string(level)},
                       {"verdict", in_words(front.verdict)}};
-    lesson.steps.push_back(
-        {"Time is up: an interruption",
-         "A frame of animation has a *budget*. Here it is " + lesson.numbers["quota"].text +
-             " distance tests. Level " + std::to_string(level) + " is finished after " +
-             shown_count(scene.levels[level].tests) + " of them, level " + std::to_string(cut) +
-             " is two thirds done when the budget ends.\n\n"
-             "**Predict:** what should the program do with the two thirds?\n\n"
-             "Throw them away. Half a level is a likeness of half the body: it could call bodies "
-             "apart that touch in the other half. The result is the front of level " +
-             std::to_string(level) + ", the last one that was **finished**, with " +
-             pairs_text(front.pairs.size()) +
-             ". What was *possible* there is now treated as a true collision. The answer is "
-             "coarse, but "
-             "it is there on time, and it never lets bodies through.",
-         std::move(figure),
-         {{"budget", lesson.numbers["quota"]},
-          {"last finished level", lesson.numbers["finished level"]},
-          {"tests without effect", lesson.numbers["tests wasted"]}}});
-    lesson.figures["interruption"] = lesson.steps.back().figure;
+    add_step(
+        lesson, "Time is up: an interruption",
+        "A frame of animation has a *budget*. Here it is {{number: quota}} distance tests. Level " +
+            std::to_string(level) + " is finished after " + shown_count(scene.levels[level].tests) +
+            " of them, level " + std::to_string(cut) +
+            " is two thirds done when the budget ends.\n\n"
+            "**Predict:** what should the program do with the two thirds?\n\n"
+            "Throw them away. Half a level is a likeness of half the body: it could call bodies "
+            "apart that touch in the other half. The result is the front of level " +
+            std::to_string(level) + ", the last one that was **finished**, with " +
+            pairs_text(front.pairs.size()) +
+            ". What was *possible* there is now treated as a true collision. The answer is coarse, "
+            "but it is there on time, and it never lets bodies through.",
+        std::move(figure),
+        {{"budget", "quota"},
+         {"last finished level", "finished level"},
+         {"tests without effect", "tests wasted"}},
+        "interruption");
 }
 
 /// The finished level for every budget from 0 to enough.
@@ -339,19 +326,15 @@ void step_budgets(Lesson& lesson, const Scene& miss, const Scene& hit) {
                       shown_count(hit.tests()) + ".");
     figure.numbers = {{"proof of the miss", shown_count(miss.tests()) + " tests"},
                       {"leaves of the collision", shown_count(hit.tests()) + " tests"}};
-    lesson.steps.push_back({"What a budget buys",
-                            "The same two scenes, run again for every budget. Each stair is a "
-                            "level, its length is what the "
-                            "level costs. The answer changes only at the edge of a stair, so a "
-                            "budget that ends within one "
-                            "gives the answer of its beginning. The near miss is settled after " +
-                                shown_count(miss.tests()) +
-                                " tests, and a larger budget is simply not used. Tests that one "
-                                "pair leaves over go to "
-                                "the next.",
-                            std::move(figure),
-                            {}});
-    lesson.figures["budgets"] = lesson.steps.back().figure;
+    add_step(
+        lesson, "What a budget buys",
+        "The same two scenes, run again for every budget. Each stair is a level, its length is "
+        "what the level costs. The answer changes only at the edge of a stair, so a budget that "
+        "ends within one gives the answer of its beginning. The near miss is settled after " +
+            shown_count(miss.tests()) +
+            " tests, and a larger budget is simply not used. Tests that one pair leaves over go to "
+            "the next.",
+        std::move(figure), {}, "budgets");
 }
 
 void animate(Lesson& lesson, const Scene& miss, const Scene& hit) {
@@ -369,11 +352,7 @@ void animate(Lesson& lesson, const Scene& miss, const Scene& hit) {
 void make_traversal(Lesson& lesson) {
     const Scene miss = near_miss();
     const Scene hit = collision();
-    for (std::size_t level = 0; level < miss.levels.size(); ++level) {
-        const std::string name = std::to_string(level);
-        lesson.numbers["tests " + name] = count(tests_of_level(miss, level));
-        lesson.numbers["pairs " + name] = count(miss.levels[level].pairs.size());
-    }
+    name_numbers(lesson, miss);
     steps_near_miss(lesson, miss);
     step_cost(lesson, miss);
     step_collision(lesson, hit);

@@ -44,14 +44,6 @@ viz::Panel nodes_panel(const Scene& scene) {
     return panel;
 }
 
-void add_centres(viz::Panel& panel, const Sphere<2>& a, const Sphere<2>& b) {
-    add_line(panel, viz::Role::construction, a.centre, b.centre);
-    add_dot(panel, viz::Role::contact, a.centre);
-    add_dot(panel, viz::Role::contact, b.centre);
-    add_label(panel, viz::Role::note, a.centre, "*o*_a");
-    add_label(panel, viz::Role::note, b.centre, "*o*_b");
-}
-
 /// Both bodies whole, with the contact point.
 viz::Panel bodies_panel(const Scene& scene) {
     viz::Panel panel;
@@ -78,20 +70,17 @@ void step_nodes(Lesson& lesson, const Scene& scene) {
                       {"gap of the outlines", shown(scene.gap, 3) + " m"}};
     lesson.numbers["level"] = count(static_cast<std::uint64_t>(scene.level));
     lesson.numbers["gap"] = number(scene.gap, 3, "m");
-    lesson.steps.push_back(
-        {"Two nodes overlap",
-         "A gear (A) and a star (B) fly towards each other. The traversal was interrupted at "
-         "level " +
-             std::to_string(scene.level) +
-             ", and one pair of nodes is in the front. The outlines are still " +
-             lesson.numbers["gap"].text +
-             " apart, but there is no time to find out: *possible* now counts as a collision.\n\n"
-             "To push bodies apart we need three things: a direction, a point, and a strength. All "
-             "we have "
-             "is two circles.\n\n"
-             "**Predict:** which direction would you take, and which point?",
-         std::move(figure),
-         {{"gap of the outlines", lesson.numbers["gap"]}}});
+    add_step(
+        lesson, "Two nodes overlap",
+        "A gear (A) and a star (B) fly towards each other. The traversal was interrupted at "
+        "level " +
+            std::to_string(scene.level) +
+            ", and one pair of nodes is in the front. The outlines are still {{number: gap}} "
+            "apart, but there is no time to find out: *possible* now counts as a collision.\n\n"
+            "To push bodies apart we need three things: a direction, a point, and a strength. All "
+            "we have is two circles.\n\n"
+            "**Predict:** which direction would you take, and which point?",
+        std::move(figure), {{"gap of the outlines", "gap"}});
 }
 
 void step_normal(Lesson& lesson, const Scene& scene) {
@@ -101,21 +90,15 @@ void step_normal(Lesson& lesson, const Scene& scene) {
     add_arrow(panel, viz::Role::normal, from,
               from + 0.6 * scene.node_b.radius * scene.contact.normal, "*n*");
     lesson.numbers["normal"] = {scene.contact.normal.x(), vector_text(scene.contact.normal)};
-    lesson.steps.push_back(
-        {"Which way: along the line of the centres",
-         "The line from the centre o_a to the centre o_b is the direction in which the two circles "
-         "meet. Made "
-         "one unit long it is the contact normal n = " +
-             lesson.numbers["normal"].text +
-             ". By convention it points **from A towards B**: B will be pushed along n, A against "
-             "it. Swap "
-             "the bodies and n changes its sign, while what happens stays the same.",
-         figure_of(
-             std::move(panel), "The normal is the line of the centres",
-             "The two nodes with the line through their centres and the normal, an arrow from "
-             "A towards B."),
-         {{"n", lesson.numbers["normal"]}}});
-    lesson.figures["normal"] = lesson.steps.back().figure;
+    add_step(lesson, "Which way: along the line of the centres",
+             "The line from the centre o_a to the centre o_b is the direction in which the two "
+             "circles meet. Made one unit long it is the contact normal n = {{number: normal}}. By "
+             "convention it points **from A towards B**: B will be pushed along n, A against it. "
+             "Swap the bodies and n changes its sign, while what happens stays the same.",
+             figure_of(std::move(panel), "The normal is the line of the centres",
+                       "The two nodes with the line through their centres and the normal, an arrow "
+                       "from A towards B."),
+             {{"n", "normal"}}, "normal");
 }
 
 void step_point(Lesson& lesson, const Scene& scene) {
@@ -132,18 +115,15 @@ void step_point(Lesson& lesson, const Scene& scene) {
     lesson.numbers["c from o_a"] =
         number((scene.contact.point - scene.node_a.centre).norm(), 3, "m");
     lesson.numbers["depth"] = number(scene.contact.depth, 3, "m");
-    lesson.steps.push_back(
-        {"Where: in the ratio of the radii",
-         "The point lies on the same line. It divides the distance d = " +
-             lesson.numbers["d"].text + " as the radii R_a = " + lesson.numbers["R_a"].text +
-             " and R_b = " + lesson.numbers["R_b"].text + " are to each other: a share of " +
-             lesson.numbers["share"].text + " of the way, " + lesson.numbers["c from o_a"].text +
-             " from o_a. The smaller circle is nearer to the point. The circles overlap by the "
-             "depth " +
-             lesson.numbers["depth"].text + ".",
-         figure_of(std::move(panel), "The point divides the line as the radii do",
-                   "The contact point c on the line of the centres, nearer to the smaller node."),
-         {{"d", lesson.numbers["d"]}, {"c from o_a", lesson.numbers["c from o_a"]}}});
+    add_step(
+        lesson, "Where: in the ratio of the radii",
+        "The point lies on the same line. It divides the distance d = {{number: d}} as the radii "
+        "R_a = {{number: R_a}} and R_b = {{number: R_b}} are to each other: a share of {{number: "
+        "share}} of the way, {{number: c from o_a}} from o_a. The smaller circle is nearer to the "
+        "point. The circles overlap by the depth {{number: depth}}.",
+        figure_of(std::move(panel), "The point divides the line as the radii do",
+                  "The contact point c on the line of the centres, nearer to the smaller node."),
+        {{"d", "d"}, {"c from o_a", "c from o_a"}});
 }
 
 /// The example: radii 2 and 1, centres 2 apart.
@@ -170,27 +150,18 @@ void step_two_points(Lesson& lesson) {
     lesson.numbers["plane point"] = number(plane->point.x(), 4, "m");
     viz::Figure figure =
         figure_of(std::move(panel), "Two points that the paper calls one",
-                  "Circles of radius 2 m and 1 m, centres 2 m apart. The point in the "
-                  "ratio of the radii lies left of the plane of intersection.");
+                  "Circles of radius 2 m and 1 m, centres 2 m apart. The point in the ratio of the "
+                  "radii lies left of the plane of intersection.");
     figure.numbers = {{"ratio of the radii", shown(ratio->point.x(), 4) + " m"},
                       {"plane of intersection", shown(plane->point.x(), 4) + " m"}};
-    lesson.steps.push_back(
-        {"The other point: the plane of intersection",
-         "The paper says that the point lies on the *plane of intersection* of the two circles, "
-         "the straight line "
-         "through the two points where they cross. Check it: with R_a = 2, R_b = 1 and d = 2 the "
-         "ratio "
-         "of the radii gives " +
-             lesson.numbers["ratio point"].text + ", the plane " +
-             lesson.numbers["plane point"].text +
-             ". They are two different points! They agree when the radii are equal, or when the "
-             "circles "
-             "only just touch. lodlab takes the ratio, as the paper's equation does, and offers "
-             "the plane by "
-             "name.",
-         std::move(figure),
-         {{"ratio", lesson.numbers["ratio point"]}, {"plane", lesson.numbers["plane point"]}}});
-    lesson.figures["two points"] = lesson.steps.back().figure;
+    add_step(lesson, "The other point: the plane of intersection",
+             "The paper says that the point lies on the *plane of intersection* of the two "
+             "circles, the straight line through the two points where they cross. Check it: with "
+             "R_a = 2, R_b = 1 and d = 2 the ratio of the radii gives {{number: ratio point}}, the "
+             "plane {{number: plane point}}. They are two different points! They agree when the "
+             "radii are equal, or when the circles only just touch. lodlab takes the ratio, as the "
+             "paper's equation does, and offers the plane by name.",
+             std::move(figure), {{"ratio", "ratio point"}, {"plane", "plane point"}}, "two points");
 }
 
 void step_closing(Lesson& lesson, const Scene& scene) {
@@ -210,22 +181,17 @@ void step_closing(Lesson& lesson, const Scene& scene) {
     add_motion(panel, scene.star, 1);
     const double v_c = lod::closing_velocity(scene.gear.body, scene.star.body, scene.contact);
     lesson.numbers["v_c"] = number(v_c, 3, "m/s");
-    viz::Figure figure =
-        figure_of(std::move(panel), "How fast do they meet at that point?",
-                  "The gear and the star with their velocities, and the velocities "
-                  "of their two material points at the contact.");
+    viz::Figure figure = figure_of(std::move(panel), "How fast do they meet at that point?",
+                                   "The gear and the star with their velocities, and the "
+                                   "velocities of their two material points at the contact.");
     figure.numbers = {{"closing velocity *v*_c", shown(v_c, 3) + " m/s"}};
-    lesson.steps.push_back(
-        {"How fast they close",
-         "Both bodies turn, so their material points at c move differently from their centres. A "
-         "body's point "
-         "at the arm r has the velocity v + ω × r. At c the gear moves with " +
-             vector_text(at_a) + " m/s, the star with " + vector_text(at_b) +
-             " m/s. Of the difference, only the part along n matters: the closing velocity v_c = " +
-             lesson.numbers["v_c"].text + ". It is negative, so the bodies **approach**.",
-         std::move(figure),
-         {{"v_c", lesson.numbers["v_c"]}}});
-    lesson.figures["closing"] = lesson.steps.back().figure;
+    add_step(lesson, "How fast they close",
+             "Both bodies turn, so their material points at c move differently from their centres. "
+             "A body's point at the arm r has the velocity v + ω × r. At c the gear moves with " +
+                 vector_text(at_a) + " m/s, the star with " + vector_text(at_b) +
+                 " m/s. Of the difference, only the part along n matters: the closing velocity v_c "
+                 "= {{number: v_c}}. It is negative, so the bodies **approach**.",
+             std::move(figure), {{"v_c", "v_c"}}, "closing");
 }
 
 void step_compliance(Lesson& lesson, const Scene& scene) {
@@ -258,23 +224,17 @@ void step_compliance(Lesson& lesson, const Scene& scene) {
     lesson.numbers["K turn b"] = number(turning(b), 3);
     viz::Figure figure =
         figure_of(std::move(panel), "How easily does the contact give way?",
-                  "The line of the push through the contact point, and the lever of "
-                  "each body: the distance of its centre of mass from that line.");
+                  "The line of the push through the contact point, and the lever of each body: the "
+                  "distance of its centre of mass from that line.");
     figure.numbers = {{"*K*", shown(k, 3) + " 1/kg"}};
-    lesson.steps.push_back(
-        {"How easily they give way",
-         "Push with an impulse of 1 N s along n. By how much does v_c change? That is K. Light "
-         "bodies "
-         "give way easily, and so do bodies that can turn: the longer the *lever*, the distance of "
-         "the "
-         "centre of mass from the line of the push, the more of the push goes into spin.\n\n"
-         "K = 1/m_a + 1/m_b + turning of A + turning of B = " +
-             lesson.numbers["K mass a"].text + " + " + lesson.numbers["K mass b"].text + " + " +
-             lesson.numbers["K turn a"].text + " + " + lesson.numbers["K turn b"].text + " = " +
-             lesson.numbers["K"].text + ".",
-         std::move(figure),
-         {{"K", lesson.numbers["K"]}}});
-    lesson.figures["levers"] = lesson.steps.back().figure;
+    add_step(lesson, "How easily they give way",
+             "Push with an impulse of 1 N s along n. By how much does v_c change? That is K. Light "
+             "bodies give way easily, and so do bodies that can turn: the longer the *lever*, the "
+             "distance of the centre of mass from the line of the push, the more of the push goes "
+             "into spin.\n\n"
+             "K = 1/m_a + 1/m_b + turning of A + turning of B = {{number: K mass a}} + {{number: K "
+             "mass b}} + {{number: K turn a}} + {{number: K turn b}} = {{number: K}}.",
+             std::move(figure), {{"K", "K"}}, "levers");
 }
 
 void step_impulse(Lesson& lesson, const Scene& scene, const Scene& after) {
@@ -289,23 +249,16 @@ void step_impulse(Lesson& lesson, const Scene& scene, const Scene& after) {
     const std::vector<Body<2>> then{after.gear.body, after.star.body};
     lesson.numbers["energy before"] = number(lod::kinetic_energy<2>(before), 4, "J");
     lesson.numbers["energy after"] = number(lod::kinetic_energy<2>(then), 4, "J");
-    viz::Figure figure =
-        figure_of(std::move(panel), "One impulse, equal and opposite",
-                  "Two green arrows of equal length at the contact point: the impulse "
-                  "on the star along the normal, on the gear against it.");
+    viz::Figure figure = figure_of(std::move(panel), "One impulse, equal and opposite",
+                                   "Two green arrows of equal length at the contact point: the "
+                                   "impulse on the star along the normal, on the gear against it.");
     figure.numbers = {{"impulse *j*", shown(j, 3) + " N s"}};
-    lesson.steps.push_back(
-        {"How hard",
-         "The impulse shall turn the closing velocity round: from v_c to −e v_c, where e is the "
-         "restitution, 1 "
-         "for a perfect bounce. It has to change v_c by −(1 + e) v_c, and every N s changes it by "
-         "K. So "
-         "j = −(1 + e) v_c / K = " +
-             lesson.numbers["j"].text +
-             ". What B gets along n, A gets against it: momentum is kept, whatever j is.",
-         std::move(figure),
-         {{"j", lesson.numbers["j"]}}});
-    lesson.figures["impulse"] = lesson.steps.back().figure;
+    add_step(lesson, "How hard",
+             "The impulse shall turn the closing velocity round: from v_c to −e v_c, where e is "
+             "the restitution, 1 for a perfect bounce. It has to change v_c by −(1 + e) v_c, and "
+             "every N s changes it by K. So j = −(1 + e) v_c / K = {{number: j}}. What B gets "
+             "along n, A gets against it: momentum is kept, whatever j is.",
+             std::move(figure), {{"j", "j"}}, "impulse");
 }
 
 void step_after(Lesson& lesson, const Scene& scene, const Scene& after) {
@@ -328,39 +281,32 @@ void step_after(Lesson& lesson, const Scene& scene, const Scene& after) {
     const auto motion = [](const Body<2>& body) {
         return vector_text(body.velocity) + " m/s, spin " + shown(body.spin[0], 3) + " rad/s";
     };
-    lesson.steps.push_back({"After the impulse",
-                            "The gear now moves with " + motion(after.gear.body) +
-                                " (before: " + motion(scene.gear.body) + "), the star with " +
-                                motion(after.star.body) + " (before: " + motion(scene.star.body) +
-                                "). v_c is " + lesson.numbers["v_c after"].text +
-                                ", the kinetic energy " + lesson.numbers["energy after"].text +
-                                " as before.\n\n"
-                                "**Predict:** in the next frame the nodes still overlap a little. "
-                                "Shall we push again?",
-                            std::move(figure),
-                            {{"v_c", lesson.numbers["v_c after"]},
-                             {"energy before", lesson.numbers["energy before"]},
-                             {"energy after", lesson.numbers["energy after"]}}});
+    add_step(
+        lesson, "After the impulse",
+        "The gear now moves with " + motion(after.gear.body) +
+            " (before: " + motion(scene.gear.body) + "), the star with " + motion(after.star.body) +
+            " (before: " + motion(scene.star.body) +
+            "). v_c is {{number: v_c after}}, the kinetic energy {{number: energy after}} as "
+            "before.\n\n"
+            "**Predict:** in the next frame the nodes still overlap a little. Shall we push again?",
+        std::move(figure),
+        {{"v_c", "v_c after"},
+         {"energy before", "energy before"},
+         {"energy after", "energy after"}});
     viz::Panel parting = bodies_panel(after);
     add_disc(parting, scene.node_a, style(viz::Role::meeting_node, 0));
     add_disc(parting, scene.node_b, style(viz::Role::meeting_node, 1));
     viz::Figure gate =
         figure_of(std::move(parting), "Only approaching bodies are pushed",
-                  "The nodes of the gear and the star still overlap while the bodies "
-                  "part.");
+                  "The nodes of the gear and the star still overlap while the bodies part.");
     gate.numbers = {{"*v*_c", shown(v_c, 3) + " m/s"}, {"impulse", shown(again, 0) + " N s"}};
-    lesson.steps.push_back(
-        {"The gate: only those that approach",
-         "No. v_c is positive, they part already, and lodlab gives an impulse of " +
-             lesson.numbers["second j"].text +
-             ". The equation alone would say j = " + lesson.numbers["pull"].text +
-             ", a *pull*: it would turn the parting bodies round again, every frame anew, and they "
-             "would stick "
+    add_step(lesson, "The gate: only those that approach",
+             "No. v_c is positive, they part already, and lodlab gives an impulse of {{number: "
+             "second j}}. The equation alone would say j = {{number: pull}}, a *pull*: it would "
+             "turn the parting bodies round again, every frame anew, and they would stick "
              "together. The method does not move bodies back to the instant of the impact, so "
-             "overlaps of "
-             "parting bodies are usual, and the gate v_c < 0 is needed.",
-         std::move(gate),
-         {{"impulse", lesson.numbers["second j"]}}});
+             "overlaps of parting bodies are usual, and the gate v_c < 0 is needed.",
+             std::move(gate), {{"impulse", "second j"}});
 }
 
 }  // namespace

@@ -97,28 +97,18 @@ void step_landing(Lesson& lesson) {
         "before: " +
         figure.alt;
     lesson.numbers["single j"] = number(land(Response::net, 1).impulses[0], 3, "N s");
-    lesson.steps.push_back(
-        {"A face lands: many contacts for one collision",
-         "A box of 1 kg lands flat on the floor at 1 m/s. Two faces meet, and in a circle tree "
-         "that is more "
-         "and more pairs of nodes at every level. Each pair is a contact with an impulse of its "
-         "own by "
-         "the equation above. One contact under the middle would be enough: j = " +
-             lesson.numbers["single j"].text +
-             ", and the box bounces with the speed it had.\n\n"
+    add_step(lesson, "A face lands: many contacts for one collision",
+             "A box of 1 kg lands flat on the floor at 1 m/s. Two faces meet, and in a circle tree "
+             "that is more and more pairs of nodes at every level. Each pair is a contact with an "
+             "impulse of its own by the equation above. One contact under the middle would be "
+             "enough: j = {{number: single j}}, and the box bounces with the speed it had.\n\n"
              "**Predict:** apply the impulses of all four contacts. How fast does the box bounce? "
-             "And with "
-             "their mean?\n\n"
+             "And with their mean?\n\n"
              "The **sum** pushes far too hard: each contact stops the box alone, without knowing "
-             "of the "
-             "others. The **mean** looks reasonable, but a contact off the centre has a small "
-             "impulse, since "
-             "most of it would go into spin. The spins cancel on both sides, the missing push does "
-             "not come "
-             "back.",
-         std::move(figure),
-         {}});
-    lesson.figures["landing"] = lesson.steps.back().figure;
+             "of the others. The **mean** looks reasonable, but a contact off the centre has a "
+             "small impulse, since most of it would go into spin. The spins cancel on both sides, "
+             "the missing push does not come back.",
+             std::move(figure), {}, "landing");
 }
 
 viz::Polyline curve_of(Response response, const char* name, int series, int most) {
@@ -149,22 +139,17 @@ void step_meter(Lesson& lesson) {
                   "Energy after over energy before against the number of contacts, 1 to 64. The "
                   "sum rises to " +
                       lesson.numbers["sum 64"].text +
-                      ", the mean falls to a few hundredths, the net impulse "
-                      "stays at 1.");
-    lesson.steps.push_back({"The energy meter",
-                            "A perfect bounce keeps the kinetic energy: the meter should say 1. "
-                            "With 64 contacts the sum "
-                            "multiplies it by " +
-                                lesson.numbers["sum 64"].text + ", the mean leaves " +
-                                lesson.numbers["mean 64"].text +
-                                ". Either way refinement makes the response *worse*: more levels, "
-                                "more contacts, more error. That "
-                                "is not graceful.",
-                            std::move(figure),
-                            {{"sum, 64 contacts", lesson.numbers["sum 64"]},
-                             {"mean, 64 contacts", lesson.numbers["mean 64"]},
-                             {"net, 64 contacts", lesson.numbers["net 64"]}}});
-    lesson.figures["energy meter"] = lesson.steps.back().figure;
+                      ", the mean falls to a few hundredths, the net impulse stays at 1.");
+    add_step(lesson, "The energy meter",
+             "A perfect bounce keeps the kinetic energy: the meter should say 1. With 64 contacts "
+             "the sum multiplies it by {{number: sum 64}}, the mean leaves {{number: mean 64}}. "
+             "Either way refinement makes the response *worse*: more levels, more contacts, more "
+             "error. That is not graceful.",
+             std::move(figure),
+             {{"sum, 64 contacts", "sum 64"},
+              {"mean, 64 contacts", "mean 64"},
+              {"net, 64 contacts", "net 64"}},
+             "energy meter");
 }
 
 /// An L that lands on its foot off its centre, so that it must turn.
@@ -216,9 +201,9 @@ viz::Figure draw_letter(const LetterLanding& landing) {
     const Body<2>& body = landing.letter.body;
     add_arrow(panel, viz::Role::velocity, body.position, body.position + 0.4 * body.velocity,
               "*v*_b", 1);
-    return figure_of(std::move(panel), "The net impulse: shared out, then scaled",
-                     "A letter L lands flat on eight contact points, each with its part of the net "
-                     "impulse.");
+    return figure_of(
+        std::move(panel), "The net impulse: shared out, then scaled",
+        "A letter L lands flat on eight contact points, each with its part of the net impulse.");
 }
 
 void step_net(Lesson& lesson) {
@@ -230,20 +215,15 @@ void step_net(Lesson& lesson) {
     viz::Figure figure = draw_letter(landing);
     figure.numbers = {{"energy after / before", lesson.numbers["L energy"].text},
                       {"spin", lesson.numbers["L spin"].text}};
-    lesson.steps.push_back(
-        {"The net impulse",
-         "So let the contacts know of each other. Keep the *proportions*: each contact asks for "
-         "u/K, as if it were alone. Then scale all of them by one common factor, chosen so that "
-         "the energy comes out right. An L that lands on its foot shows that it works off the "
-         "centre too: it leaves with " +
-             lesson.numbers["L speed"].text + " and a spin of " + lesson.numbers["L spin"].text +
-             ", and energy after / before is " + lesson.numbers["L energy"].text +
-             ". If a contact still approaches afterwards, the same is done again for those that "
-             "do.\n\nWith one contact this *is* the equation from before; nothing had to be given "
-             "up.",
-         std::move(figure),
-         {{"energy after / before", lesson.numbers["L energy"]}}});
-    lesson.figures["net"] = lesson.steps.back().figure;
+    add_step(lesson, "The net impulse",
+             "So let the contacts know of each other. Keep the *proportions*: each contact asks "
+             "for u/K, as if it were alone. Then scale all of them by one common factor, chosen so "
+             "that the energy comes out right. An L that lands on its foot shows that it works off "
+             "the centre too: it leaves with {{number: L speed}} and a spin of {{number: L spin}}, "
+             "and energy after / before is {{number: L energy}}. If a contact still approaches "
+             "afterwards, the same is done again for those that do.\n\n"
+             "With one contact this *is* the equation from before; nothing had to be given up.",
+             std::move(figure), {{"energy after / before", "L energy"}}, "net");
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ TEST_CASE("lesson 3: the near miss ends in proof, the interruption keeps a finis
     for (int level = 0; level <= last; ++level) tests += value("tests " + std::to_string(level));
     CHECK(tests == value("miss tests"));
     CHECK(value("tests 0") == 1);
-    CHECK(value("pairs " + std::to_string(last)) == 0);
+    CHECK(value("front " + std::to_string(last)) == 0);
     CHECK(value("miss tests") < value("leaf pairs"));
     CHECK(value("hit pairs") > 0);
     CHECK(value("finished level") == value("cut level") - 1);

@@ -2,6 +2,7 @@
 #include "lessons/lessons.hpp"
 #include "lessons/markdown.hpp"
 #include "lessons/plain.hpp"
+#include "lessons/sketch.hpp"
 #include "lessons/source.hpp"
 #include "tests/catch.hpp"
 
@@ -33,6 +34,30 @@ Lesson small_lesson() {
 }
 
 }  // namespace
+
+TEST_CASE("a step's text holds the lesson's numbers, and shows them under names of its own",
+          "[lessons]") {
+    Lesson lesson = small_lesson();
+    viz::Figure figure;
+    figure.title = "A picture";
+    add_step(lesson, "Title", "First {{number: depth}}, then {{number: depth}}.", figure,
+             {{"how deep", "depth"}}, "kept");
+    REQUIRE(lesson.steps.size() == 1);
+    CHECK(lesson.steps[0].text == "First 0.5 m, then 0.5 m.");
+    CHECK(lesson.steps[0].numbers.at("how deep").value == 0.5);
+    CHECK(lesson.figures.at("kept").title == "A picture");
+}
+
+TEST_CASE("a step that names what the lesson does not have is refused", "[lessons]") {
+    Lesson lesson = small_lesson();
+    const std::string in_text =
+        complaint([&] { add_step(lesson, "Title", "It is {{number: width}}.", {}); });
+    CHECK(says(in_text, "width"));
+    CHECK(says(in_text, "small, step 'Title'"));
+    CHECK(says(complaint([&] { add_step(lesson, "T", "It.", {}, {{"w", "width"}}); }), "width"));
+    CHECK(says(complaint([&] { add_step(lesson, "T", "{{figure: depth}}", {}); }), "figure"));
+    CHECK(lesson.steps.empty());
+}
 
 TEST_CASE("tags are found in order with their names", "[lessons]") {
     const auto tags =
