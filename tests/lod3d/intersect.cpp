@@ -1,43 +1,19 @@
 // Intersection of triangles and of posed meshes, against FCL.
 #include "lod3d/intersect.hpp"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/narrowphase/collision.h>
-
 #include "lod3d/generators.hpp"
-#include "tests/lod3d/random_pose.hpp"
 #include "tests/catch.hpp"
+#include "tests/lod3d/fcl_oracle.hpp"
+#include "tests/lod3d/random_pose.hpp"
 
 using namespace lod3d;
 
 namespace {
 
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
-std::shared_ptr<Model> fcl_model(const Mesh& mesh) {
-    std::vector<fcl::Triangle> triangles;
-    for (const Triangle& t : mesh.triangles)
-        triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
-                               static_cast<std::size_t>(t[2]));
-    auto model = std::make_shared<Model>();
-    model->beginModel();
-    model->addSubModel(mesh.vertices, triangles);
-    model->endModel();
-    return model;
-}
-
-bool fcl_collide(const std::shared_ptr<Model>& a, const Pose& pose_a,
-                 const std::shared_ptr<Model>& b, const Pose& pose_b) {
-    const auto transform = [](const Pose& pose) {
-        fcl::Transform3d t = fcl::Transform3d::Identity();
-        t.linear() = pose.rotation;
-        t.translation() = pose.position;
-        return t;
-    };
-    const fcl::CollisionObjectd first(a, transform(pose_a));
-    const fcl::CollisionObjectd second(b, transform(pose_b));
-    fcl::CollisionResultd result;
-    return fcl::collide(&first, &second, fcl::CollisionRequestd(), result) > 0;
+bool fcl_says(const std::shared_ptr<lodtest::FclModel>& a, const Pose& pose_a,
+              const std::shared_ptr<lodtest::FclModel>& b, const Pose& pose_b) {
+    return lodtest::fcl_collide(a, lodtest::fcl_pose(pose_a.rotation, pose_a.position), b,
+                                lodtest::fcl_pose(pose_b.rotation, pose_b.position));
 }
 
 TriangleTree::Corners random_triangle(lod::Random& random) {
@@ -74,9 +50,9 @@ TEST_CASE("random triangles intersect exactly where FCL says so", "[intersect]")
         const auto s = random_triangle(random);
         const auto t = random_triangle(random);
         const auto as_model = [](const TriangleTree::Corners& c) {
-            return fcl_model({{c.a, c.b, c.c}, {{0, 1, 2}}});
+            return lodtest::fcl_model({{c.a, c.b, c.c}, {{0, 1, 2}}});
         };
-        const bool expected = fcl_collide(as_model(s), {}, as_model(t), {});
+        const bool expected = fcl_says(as_model(s), {}, as_model(t), {});
         INFO("pair " << i);
         CHECK(triangles_intersect(s, t) == expected);
         CHECK(triangles_intersect(t, s) == expected);
@@ -94,13 +70,13 @@ TEST_CASE("posed meshes intersect exactly where FCL says so", "[intersect]") {
         const Solid b = solid_from_spec(second);
         const TriangleTree tree_a(a.mesh);
         const TriangleTree tree_b(b.mesh);
-        const auto model_a = fcl_model(a.mesh);
-        const auto model_b = fcl_model(b.mesh);
+        const auto model_a = lodtest::fcl_model(a.mesh);
+        const auto model_b = lodtest::fcl_model(b.mesh);
         for (int i = 0; i < 200; ++i) {
             const Pose pose_a{random_rotation(random), Point(random.next(), 0, 0)};
             const Pose pose_b{random_rotation(random),
                               pose_a.position + random.next(0.2, 1) * random_direction(random)};
-            const bool expected = fcl_collide(model_a, pose_a, model_b, pose_b);
+            const bool expected = fcl_says(model_a, pose_a, model_b, pose_b);
             INFO(first << " and " << second << ", pair " << i);
             CHECK(surfaces_intersect(tree_a, pose_a, tree_b, pose_b) == expected);
             CHECK(surfaces_intersect(tree_b, pose_b, tree_a, pose_a) == expected);
