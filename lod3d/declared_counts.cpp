@@ -114,7 +114,8 @@ int size_of_ply_type(std::string_view type) {
 void check_ply(const File& file) {
     const std::string head = file.read(0, most_header);
     const std::size_t end = head.find("end_header");
-    if (!head.starts_with("ply") || end == std::string::npos) return;
+    if (!head.starts_with("ply")) return;  // the importer says what is wrong
+    if (end == std::string::npos) file.refuse("the header does not end; is the file cut short?");
     const bool text = head.find("format ascii") < end;
     std::string element;
     double count = 0;
@@ -171,35 +172,79 @@ std::string gltf_text(const File& file) {
     return file.read(20, length);
 }
 
-/// Every accessor's elements must fit into the buffers that the file brings or names.
-void check_gltf(const File& file) {
-    const auto json = nlohmann::json::parse(gltf_text(file), nullptr, false);
-    if (!json.is_object()) return;  // the importer says what is wrong
+using Json = nlohmann::json;
+
+/// The entry of an object's array; null where there is none.
+const Json& entry(const Json& object, const char* list, const Json& number) {
+    static const Json none;
+    const auto found = object.is_object() ? object.find(list) : object.end();
+    if (found == object.end() || !found->is_array() || !number.is_number_unsigned()) return none;
+    const auto at = number.get<std::size_t>();
+    return at < found->size() ? (*found)[at] : none;
+}
+
+const Json& member(const Json& object, const char* name) {
+    static const Json none;
+    const auto found = object.is_object() ? object.find(name) : object.end();
+    return found == object.end() ? none : *found;
+}
+
+double count_of(const Json& accessor) {
+    const Json& count = member(accessor, "count");
+    return count.is_number() ? count.get<double>() : 0;
+}
+
+/// What the buffers that the file brings or names hold together [bytes].
+double bytes_of_buffers(const File& file, const Json& json) {
     double held = static_cast<double>(file.size);
-    if (const auto buffers = json.find("buffers"); buffers != json.end())
-        for (const auto& buffer : *buffers) {
-            if (!buffer.is_object()) continue;
-            const auto uri = buffer.find("uri");
-            if (uri == buffer.end() || !uri->is_string()) continue;
-            const std::string name = uri->get<std::string>();
-            if (name.starts_with("data:")) continue;
-            std::error_code none;
-            const auto size = fs::file_size(file.path.parent_path() / name, none);
-            if (none) continue;  // the importer says that it is missing
-            if (size > file.limits.most_bytes)
-                file.exceed(name + " is larger than the limit of " +
-                            std::to_string(file.limits.most_bytes) + " bytes");
-            held += static_cast<double>(size);
-        }
-    const auto accessors = json.find("accessors");
-    if (accessors == json.end()) return;
-    for (const auto& accessor : *accessors) {
-        const auto count = accessor.is_object() ? accessor.find("count") : accessor.end();
-        if (!accessor.is_object() || count == accessor.end() || !count->is_number()) continue;
-        if (count->get<double>() > held)
-            file.refuse("an accessor promises " + count->dump() + " elements, which " +
-                        std::to_string(static_cast<std::uint64_t>(held)) + " bytes cannot hold");
+    for (const Json& buffer : member(json, "buffers")) {
+        const Json& uri = member(buffer, "uri");
+        if (!uri.is_string()) continue;
+        const std::string name = uri.get<std::string>();
+        if (name.starts_with("data:")) continue;
+        std::error_code none;
+        const auto size = fs::file_size(file.path.parent_path() / name, none);
+        if (none) continue;  // the importer says that it is missing
+        if (size > file.limits.most_bytes)
+            file.exceed(name + " is larger than the limit of " +
+                        std::to_string(file.limits.most_bytes) + " bytes");
+        held += static_cast<double>(size);
     }
+    return held;
+}
+
+/// Triangles of a mesh: by its indices where it has some, else by its vertices.
+double triangles_of(const Json& json, const Json& mesh) {
+    double triangles = 0;
+    for (const Json& primitive : member(mesh, "primitives")) {
+        const Json& indices = member(primitive, "indices");
+        const Json& vertices = member(member(primitive, "attributes"), "POSITION");
+        const double corners =
+            count_of(entry(json, "accessors", indices.is_null() ? vertices : indices));
+        const Json& mode = member(primitive, "mode");
+        constexpr int list = 4;  // a strip or a fan makes one of each corner
+        const bool listed = !mode.is_number() || mode.get<int>() <= list;
+        triangles += listed ? corners / 3 : corners;
+    }
+    return triangles;
+}
+
+/// Every accessor's elements must fit into the buffers. A mesh counts for each node that shows it.
+void check_gltf(const File& file) {
+    const auto json = Json::parse(gltf_text(file), nullptr, false);
+    if (!json.is_object()) return;  // the importer says what is wrong
+    const double held = bytes_of_buffers(file, json);
+    for (const Json& accessor : member(json, "accessors"))
+        if (count_of(accessor) > held)
+            file.refuse("an accessor promises " + member(accessor, "count").dump() +
+                        " elements, which " + std::to_string(static_cast<std::uint64_t>(held)) +
+                        " bytes cannot hold");
+    double triangles = 0;
+    for (const Json& mesh : member(json, "meshes")) triangles += triangles_of(json, mesh);
+    double shown = 0;
+    for (const Json& node : member(json, "nodes"))
+        shown += triangles_of(json, entry(json, "meshes", member(node, "mesh")));
+    file.check_triangles(std::max(triangles, shown));
 }
 
 std::string ending_of(const fs::path& path) {

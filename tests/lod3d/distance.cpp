@@ -1,8 +1,8 @@
 #include "lod3d/distance.hpp"
 
 #include "lod3d/generators.hpp"
-#include "tests/lod3d/random_pose.hpp"
 #include "tests/catch.hpp"
+#include "tests/lod3d/random_pose.hpp"
 
 using namespace lod3d;
 

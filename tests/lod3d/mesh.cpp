@@ -4,8 +4,8 @@
 
 #include "core/error.hpp"
 #include "lod3d/generators.hpp"
-#include "tests/lod3d/random_pose.hpp"
 #include "tests/catch.hpp"
+#include "tests/lod3d/random_pose.hpp"
 
 using namespace lod3d;
 

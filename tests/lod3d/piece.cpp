@@ -3,8 +3,8 @@
 #include "core/builder/enclosing_ball.hpp"
 #include "core/builder/piece.hpp"
 #include "lod3d/generators.hpp"
-#include "tests/lod3d/random_pose.hpp"
 #include "tests/catch.hpp"
+#include "tests/lod3d/random_pose.hpp"
 
 using namespace lod3d;
 
