@@ -62,7 +62,7 @@ struct PartPair {
         Vector<Dim> on_a;
         Vector<Dim> on_b;
     };
-    static constexpr std::size_t most_directions = 5;
+    static constexpr std::size_t most_directions = 6;
     static constexpr std::size_t most_feet = 15;  ///< 6 corners, 9 pairs of sides of two triangles
 
     ConvexPart<Dim> a;

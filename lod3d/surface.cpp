@@ -59,18 +59,23 @@ void add_unit(Pair& pair, const Point& direction) {
     if (!unit.isZero(0.5)) pair.add_direction(unit);
 }
 
-/// A short way, put at right angles to every side of the two triangles to which it nearly stands
-/// so: rounding tilts it, and a long side would show that.
-Point squared_up(Point way, const lod::Facet<3>& a, const lod::Facet<3>& b) {
-    constexpr double nearly = 1e-4;
-    constexpr int passes = 4;  // sides need not be at right angles to each other
-    for (int pass = 0; pass < passes; ++pass)
-        for (const lod::Facet<3>* t : {&a, &b})
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Point side = ((*t)[(i + 1) % 3] - (*t)[i]).stableNormalized();
-                const double along = side.dot(way);
-                if (std::abs(along) <= nearly * way.norm()) way -= along * side;
-            }
+/// The way between two feet, put at right angles to the sides of a triangle on which one of them
+/// lies: to those within which it lies, since the way is the shortest; and where it lies on a
+/// corner, to those to which the way stands so within rounding. Rounding tilts a short way, and a
+/// long side would show that.
+Point squared_up(Point way, const Point& foot, const lod::Facet<3>& t) {
+    constexpr double rounding = 32 * std::numeric_limits<double>::epsilon();
+    const double noise = rounding * foot.cwiseAbs().maxCoeff();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double length = (t[(i + 1) % 3] - t[i]).norm();
+        const Point side = (t[(i + 1) % 3] - t[i]).stableNormalized();
+        const double at = side.dot(foot - t[i]);
+        const bool on_line = (foot - t[i] - at * side).norm() <= noise + rounding * length;
+        if (!on_line || at < -noise || at > length + noise) continue;
+        const bool within = at > 1e-9 * length && at < (1 - 1e-9) * length;
+        const double along = side.dot(way);
+        if (within || std::abs(along) <= noise) way -= along * side;
+    }
     return way;
 }
 
@@ -105,7 +110,8 @@ lod::PartPair<3> nearest_triangles(const lod::Facet<3>& a, const lod::Facet<3>& 
     add_unit(pair, across);
     pair.firm_directions = pair.directions;
     const Point way = pair.nearest.on_b - pair.nearest.on_a;
-    add_unit(pair, squared_up(way, a, b));
+    add_unit(pair, squared_up(way, pair.nearest.on_a, a));
+    add_unit(pair, squared_up(way, pair.nearest.on_b, b));
     add_unit(pair, way);
     return pair;
 }
