@@ -2,7 +2,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "cli/dimension.hpp"
 #include "cli/instant.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
@@ -16,23 +18,26 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::array<const char*, 3> verdict_names{"apart", "possible", "true"};
 
-std::string name_of(const scenes::Setup& setup, std::int32_t body) {
+template <int Dim>
+std::string name_of(const scenes::Setup<Dim>& setup, std::int32_t body) {
     return setup.scene.bodies[static_cast<std::size_t>(body)].name;
 }
 
-Json contacts_of(const Instant& instant, const lod::PairRecord& pair) {
+template <int Dim>
+Json contacts_of(const Instant<Dim>& instant, const lod::PairRecord& pair) {
     Json list = Json::array();
     for (std::int32_t k = 0; k < pair.contact_count; ++k) {
-        const lod::Contact<2>& contact =
+        const lod::Contact<Dim>& contact =
             instant.record.impacts[static_cast<std::size_t>(pair.first_contact + k)].contact;
-        list.push_back({{"point", {contact.point.x(), contact.point.y()}},
-                        {"normal", {contact.normal.x(), contact.normal.y()}},
+        list.push_back({{"point", list_of(contact.point)},
+                        {"normal", list_of(contact.normal)},
                         {"depth", contact.depth}});
     }
     return list;
 }
 
-Json result_of(const scenes::Setup& setup, const Instant& instant) {
+template <int Dim>
+Json result_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& instant) {
     Json pairs = Json::array();
     for (const lod::PairRecord& pair : instant.record.pairs) {
         Json levels = Json::array();
@@ -49,10 +54,11 @@ Json result_of(const scenes::Setup& setup, const Instant& instant) {
                          {"levels", std::move(levels)},
                          {"contacts", contacts_of(instant, pair)}});
     }
-    return {{"pairs", std::move(pairs)}};
+    return {{"dim", Dim}, {"pairs", std::move(pairs)}};
 }
 
-std::string report_of(const scenes::Setup& setup, const Instant& instant) {
+template <int Dim>
+std::string report_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& instant) {
     std::string text = setup.scene.name + " at " + readable(instant.time) +
                        " s: " + std::to_string(instant.record.pairs.size()) + " candidate pairs\n";
     for (const lod::PairRecord& pair : instant.record.pairs) {
@@ -69,7 +75,8 @@ std::string report_of(const scenes::Setup& setup, const Instant& instant) {
 }
 
 /// The traversal of the pair that took the most tests: the one worth a look.
-viz::Figure figure_of(const scenes::Setup& setup, const Instant& instant) {
+template <int Dim>
+viz::Figure figure_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& instant) {
     const auto& pairs = instant.record.pairs;
     const auto busiest = std::max_element(
         pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.tests < y.tests; });
@@ -78,17 +85,15 @@ viz::Figure figure_of(const scenes::Setup& setup, const Instant& instant) {
             lod::ErrorKind::input_refused,
             "no two bodies come near each other at " + readable(instant.time) +
                 " s, so there is no traversal to draw; choose another instant by --at");
-    return viz::traversal(actor_of(setup, instant.bodies, busiest->bodies.a),
-                          actor_of(setup, instant.bodies, busiest->bodies.b),
-                          levels_of(instant, *busiest));
+    return viz::traversal<Dim>(actor_of(setup, instant.bodies, busiest->bodies.a),
+                               actor_of(setup, instant.bodies, busiest->bodies.b),
+                               levels_of(instant, *busiest), {}, viewpoint_of<Dim>(setup.scene));
 }
 
-}  // namespace
-
-void run_collide(const Options& options) {
-    check_outputs(options, false);
-    const scenes::Setup setup = stage(options);
-    const Instant instant = instant_of(setup, options);
+template <int Dim>
+void collide(const scenes::Scene& scene, const Options& options) {
+    const scenes::Setup<Dim> setup = stage<Dim>(scene, options);
+    const Instant<Dim> instant = instant_of(setup, options);
     Drawing drawing;
     drawing.figure = [&] { return figure_of(setup, instant); };
     write_outputs(options, drawing);
@@ -96,6 +101,14 @@ void run_collide(const Options& options) {
         print(result_of(setup, instant));
     else
         print(report_of(setup, instant));
+}
+
+}  // namespace
+
+void run_collide(const Options& options) {
+    const scenes::Scene scene = scene_of(options);
+    check_outputs(options, {});
+    in_dimension(scene.dim, [&](auto dim) { collide<dim()>(scene, options); });
 }
 
 }  // namespace cli

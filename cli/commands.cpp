@@ -5,9 +5,10 @@ namespace {
 
 // clang-format off
 constexpr Command table[] = {
-    {"tree", "Build, check, measure, draw and export the circle tree of a shape",
+    {"tree", "Build, check, measure, draw and export the circle or sphere tree of a shape",
      "lodlab tree gear:9 --depth 4 --out gear.png --json",
-     "[SHAPE] --list --size --builder --branching --depth --out --raise-limits --theme --quality --json", run_tree},
+     "[SHAPE] --list --dim --size --fill --builder --branching --depth --nodes --error --exported-level "
+     "--out --raise-limits --theme --quality --json", run_tree},
     {"collide", "One instant: intersecting nodes of each level, contacts, verdict",
      "lodlab collide offset_boxes --level 3 --out traversal.svg",
      "SCENE --at --level --out --raise-limits --theme --quality --json", run_collide},

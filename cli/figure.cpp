@@ -18,15 +18,16 @@ namespace cli {
 namespace {
 
 /// A scene that comes with lodlab, with the options of the command line that concern it.
-scenes::Setup stage_named(const std::string& name, const Options& options) {
+template <int Dim>
+scenes::Setup<Dim> stage_named(const std::string& name, const Options& options) {
     Options staged = options;
     staged.scene = name;
-    return stage(staged);
+    return stage<Dim>(scene_of(staged), options);
 }
 
 /// Figure 1: the tree of a real shape, level by level.
 Drawing tree_of_a_shape(const Options& options) {
-    scenes::Setup setup = stage_named("figure9", options);
+    scenes::Setup<2> setup = stage_named<2>("figure9", options);
     setup.bodies[0].orientation = 0;
     Drawing drawing;
     drawing.figure = [setup] {
@@ -39,8 +40,8 @@ Drawing tree_of_a_shape(const Options& options) {
 
 /// Figure 2: two trees, level by level, until they prove to be apart.
 Drawing traversal_to_apart(const Options& options) {
-    const scenes::Setup setup = stage_named("near_miss", options);
-    const Instant instant = instant_of(setup, options);
+    const scenes::Setup<2> setup = stage_named<2>("near_miss", options);
+    const Instant<2> instant = instant_of(setup, options);
     Drawing drawing;
     drawing.figure = [setup, instant] {
         return viz::traversal(actor_of(setup, instant.bodies, 0),
@@ -52,11 +53,11 @@ Drawing traversal_to_apart(const Options& options) {
 
 /// Figure 3: a face meets a face, as ever more contacts of circles.
 Drawing contacts_of_a_face(const Options& options) {
-    scenes::Setup setup = stage_named("box_falls_flat", options);
+    scenes::Setup<2> setup = stage_named<2>("box_falls_flat", options);
     setup.bodies[0].position = {0, 0.5};                   // the faces just touch
     for (std::size_t i = 0; i < setup.bodies.size(); ++i)  // circles evenly along a face
         setup.bodies[i].tree = std::make_shared<lod::SphereTree<2>>(
-            lod2d::build_tree(*setup.shapes[i], scenes::tree_settings("pieces", {}, {})));
+            lod2d::build_tree(*setup.shapes[i], {.builder = lod2d::Builder::pieces}));
     Drawing drawing;
     drawing.figure = [setup] {
         viz::Figure figure = viz::contacts_by_level(
@@ -82,7 +83,7 @@ Drawing point_and_normal(const Options&) {
 
 /// Figure 9: one collision of two real shapes, interrupted at levels 1, 2 and 3.
 Drawing strips_of_a_collision(const Options& options) {
-    scenes::Setup setup = stage_named("figure9", options);
+    scenes::Setup<2> setup = stage_named<2>("figure9", options);
     std::vector<viz::Run<2>> runs;
     for (const int level : {1, 2, 3}) {
         const std::string name = "Level " + std::to_string(level);
@@ -111,7 +112,7 @@ constexpr std::array<Numbered, 5> figures{{{1, false, tree_of_a_shape},
 void run_figure(const Options& options) {
     for (const Numbered& figure : figures) {
         if (figure.number != options.number) continue;
-        check_outputs(options, figure.has_video);
+        check_outputs(options, {.video = figure.has_video});
         Options named = options;
         if (named.out.empty()) {
             named.out = {"figure-" + std::to_string(figure.number) + ".png"};

@@ -23,6 +23,10 @@ struct Options {
     std::string builder;
     std::optional<int> branching;
     std::optional<int> depth;
+    std::optional<double> error;        ///< of a tree, share of the root's diameter
+    std::optional<std::int64_t> nodes;  ///< of a tree, at most
+    std::optional<int> dim;             ///< 2 or 3; nothing: as the shape says
+    bool fill = false;                  ///< open meshes, by winding number
     bool list = false;
 
     std::optional<int> level;

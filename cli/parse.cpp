@@ -50,16 +50,21 @@ constexpr double most_tests = 2'000'000'000;
 
 // clang-format off
 const Row rows[] = {
-    {"SHAPE", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg), text:R (font outlines), or a generator such as gear:9")->required(); }},
-    {"[SHAPE]", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg), text:R (font outlines), or a generator such as gear:9"); }},
+    {"SHAPE", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9")->required(); }},
+    {"[SHAPE]", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9"); }},
     {"SCENE", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), or the name of a scene that comes with lodlab")->required(); }},
     {"FIGURE", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the figure in the paper")->required(); }},
     {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the lesson; without it the lessons are listed"); }},
     {"--list", [](CLI::App& a, Options& o) { a.add_flag("--list", o.list, "list generators and builders"); }},
-    {"--size", [](CLI::App& a, Options& o) { a.add_option("--size", o.size, "longer side of the shape's box [m]")->check(range(1e-6, 1e6)); }},
+    {"--size", [](CLI::App& a, Options& o) { a.add_option("--size", o.size, "longest side of the shape's box [m]")->check(range(1e-6, 1e6)); }},
     {"--builder", [](CLI::App& a, Options& o) { a.add_option("--builder", o.builder, "builder of the tree; tree --list names them"); }},
     {"--branching", [](CLI::App& a, Options& o) { a.add_option("--branching", o.branching, "most children of a node")->check(range(2, 64)); }},
     {"--depth", [](CLI::App& a, Options& o) { a.add_option("--depth", o.depth, "levels below the root")->check(range(0, 12)); }},
+    {"--dim", [](CLI::App& a, Options& o) { a.add_option("--dim", o.dim, "2: the plane, 3: space; without it as the shape says, the plane where both have it")->check(range(2, 3)); }},
+    {"--fill", [](CLI::App& a, Options& o) { a.add_flag("--fill", o.fill, "take an open mesh, filled by winding number; its inertia is approximate"); }},
+    {"--nodes", [](CLI::App& a, Options& o) { a.add_option("--nodes", o.nodes, "most nodes: levels that would take the tree beyond are left out")->check(range(1, most_tests)); }},
+    {"--error", [](CLI::App& a, Options& o) { a.add_option("--error", o.error, "target: a node that stands out of the shape by no more than this share of the root's diameter is not divided")->check(range(0, 1)); }},
+    {"--exported-level", [](CLI::App& a, Options& o) { a.add_option("--level", o.level, "the level that --out FILE.urdf writes; without it the last")->check(range(0, 12)); }},
     {"--level", [](CLI::App& a, Options& o) { a.add_option("--level", o.level, "the last level that is tested")->check(range(0, 1000)); }},
     {"--budget", [](CLI::App& a, Options& o) { a.add_option("--budget", o.budget, "node tests a frame")->check(range(0, most_tests)); }},
     {"--milliseconds", [](CLI::App& a, Options& o) { a.add_option("--milliseconds", o.milliseconds, "time for the collision handling of a frame [ms]")->check(range(0, 1e6)); }},
@@ -135,6 +140,8 @@ std::vector<std::string> flags_of(const Command& command) {
     for (const std::string& name : words_of(command.options)) {
         if (name == "--folder" || name == "--pictures")
             flags.emplace_back("--out");
+        else if (name == "--exported-level")
+            flags.emplace_back("--level");
         else if (name.starts_with("--"))
             flags.push_back(name);
     }

@@ -1,9 +1,13 @@
 #include "cli/pictures.hpp"
 
+#include <algorithm>
+#include <map>
+
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
+#include "scenes/spelling.hpp"
 
 namespace cli {
 viz::Theme theme_of(const Options& options) {
@@ -17,47 +21,89 @@ viz::Quality quality_of(const Options& options) {
     return viz::Quality::p720;
 }
 
-viz::Look<2> look_of(const lod2d::Shape& shape, const std::string& name) {
-    viz::Look<2> look{name, {}};
-    for (const lod2d::Ring& ring : shape.polygon.rings) {
-        viz::Ring& copy = look.outline.emplace_back();
-        for (const lod2d::Point& point : ring) copy.push_back({point.x(), point.y()});
-    }
+template <int Dim>
+viz::Look<Dim> look_of(const scenes::Shape<Dim>& shape, const std::string& name) {
+    viz::Look<Dim> look = viz::look_of(shape);
+    look.name = name;
     return look;
 }
 
-viz::Actor<2> actor_of(const scenes::Setup& setup, const std::vector<lod::Body<2>>& bodies,
-                       std::int32_t number) {
+template <int Dim>
+viz::Actor<Dim> actor_of(const scenes::Setup<Dim>& setup, const std::vector<lod::Body<Dim>>& bodies,
+                         std::int32_t number) {
     const auto i = static_cast<std::size_t>(number);
-    return {look_of(*setup.shapes[i], setup.scene.bodies[i].name), bodies[i]};
+    return {look_of<Dim>(*setup.shapes[i], setup.scene.bodies[i].name), bodies[i]};
 }
 
-viz::Run<2> seen(const scenes::Setup& setup, const scenes::Run<2>& run, const std::string& name) {
-    viz::Run<2> result;
+template <int Dim>
+viz::Run<Dim> seen(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
+                   const std::string& name) {
+    viz::Run<Dim> result;
     result.name = name;
     result.time_step = run.settings.time_step;
-    for (std::size_t i = 0; i < setup.bodies.size(); ++i)
-        result.looks.push_back(look_of(*setup.shapes[i], setup.scene.bodies[i].name));
-    const auto bodies_in = [&](const std::vector<scenes::State<2>>& states) {
-        std::vector<lod::Body<2>> bodies = setup.bodies;
+    std::map<const scenes::Shape<Dim>*, viz::Look<Dim>> looks;  // bodies of one shape share it
+    for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
+        const scenes::Shape<Dim>* shape = setup.shapes[i].get();
+        if (looks.find(shape) == looks.end()) looks[shape] = look_of<Dim>(*shape, "");
+        result.looks.push_back(looks[shape]);
+        result.looks.back().name = setup.scene.bodies[i].name;
+    }
+    const auto bodies_in = [&](const std::vector<scenes::State<Dim>>& states) {
+        std::vector<lod::Body<Dim>> bodies = setup.bodies;
         for (std::size_t i = 0; i < bodies.size(); ++i) scenes::put(states[i], bodies[i]);
         return bodies;
     };
-    for (const scenes::Step<2>& step : run.steps)
-        viz::add_instant(result, bodies_in(step.before), step.record);
-    viz::add_instant(result, bodies_in(run.end), {});
+    for (const scenes::Step<Dim>& step : run.steps)
+        viz::add_instant<Dim>(result, bodies_in(step.before), step.record);
+    viz::add_instant<Dim>(result, bodies_in(run.end), {});
     return result;
 }
 
-void check_outputs(const Options& options, bool has_video) {
+namespace {
+
+void look_from(const scenes::Camera&, viz::FlatViewpoint&) {}
+void look_from(const scenes::Camera& camera, viz::Viewpoint& viewpoint) {
+    viewpoint.azimuth = camera.azimuth;
+    if (camera.elevation) viewpoint.elevation = *camera.elevation;
+    viewpoint.perspective = camera.perspective;
+}
+
+}  // namespace
+
+template <int Dim>
+typename viz::Sight<Dim>::Viewpoint viewpoint_of(const scenes::Scene& scene) {
+    typename viz::Sight<Dim>::Viewpoint viewpoint;
+    if (scene.camera) look_from(*scene.camera, viewpoint);
+    return viewpoint;
+}
+
+#define CLI_INSTANTIATE(Dim)                                                             \
+    template viz::Look<Dim> look_of(const scenes::Shape<Dim>&, const std::string&);      \
+    template viz::Actor<Dim> actor_of(const scenes::Setup<Dim>&,                         \
+                                      const std::vector<lod::Body<Dim>>&, std::int32_t); \
+    template viz::Run<Dim> seen(const scenes::Setup<Dim>&, const scenes::Run<Dim>&,      \
+                                const std::string&);                                     \
+    template typename viz::Sight<Dim>::Viewpoint viewpoint_of<Dim>(const scenes::Scene&);
+CLI_INSTANTIATE(2)
+CLI_INSTANTIATE(3)
+#undef CLI_INSTANTIATE
+
+void check_outputs(const Options& options, const Formats& formats) {
+    std::vector<std::string> endings{"png", "svg", "pdf", "json"};
+    if (formats.video) endings.insert(endings.end(), {"mp4", "webm", "gif"});
+    for (const std::string& ending : formats.exports)
+        if (ending != ".json") endings.push_back(ending.substr(1));
+    const std::vector<std::string_view> known(endings.begin(), endings.end());
     for (const std::string& path : options.out) {
-        const bool fits = viz::is_figure_path(path) || (has_video && viz::is_video_path(path));
-        if (!fits)
+        const bool is_export =
+            std::any_of(formats.exports.begin(), formats.exports.end(),
+                        [&](const std::string& ending) { return path.ends_with(ending); });
+        const bool is_picture =
+            viz::is_figure_path(path) || (formats.video && viz::is_video_path(path));
+        if (!is_picture && !is_export)
             throw lod::Error(lod::ErrorKind::usage,
-                             "cannot write " + path + ": lodlab " +
-                                 (has_video ? "does this as png, svg, pdf, json, mp4, webm or gif"
-                                            : "does this as png, svg, pdf or json") +
-                                 "; give it one of these endings");
+                             "cannot write " + path + ": lodlab does this as " +
+                                 scenes::listed(known) + "; give it one of these endings");
         const lod::OutputFile probe(path);  // throws; leaves nothing
     }
     if (!options.trace.empty()) const lod::OutputFile probe(options.trace);
@@ -70,14 +116,17 @@ void write_outputs(const Options& options, const Drawing& drawing) {
     write.warn = [](const std::string& line) { remark(line); };
     for (const std::string& path : options.out) {
         lod::check_interrupted();
-        if (viz::is_video_path(path)) {
+        const auto exported =
+            std::find_if(drawing.exports.begin(), drawing.exports.end(),
+                         [&](const Export& one) { return path.ends_with(one.ending); });
+        if (exported != drawing.exports.end()) {
+            exported->write(path);
+        } else if (viz::is_video_path(path)) {
             ProgressBar bar("Filming " + path);
             write.progress = [&](const viz::Progress& p) {
                 bar.show(static_cast<double>(p.done) / p.total);
             };
             viz::write_animation(path, drawing.animation(), write);
-        } else if (drawing.json && path.ends_with(".json")) {
-            drawing.json(path);
         } else {
             viz::write_figure(path, drawing.figure(), write);
         }

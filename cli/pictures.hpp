@@ -11,30 +11,51 @@
 
 namespace cli {
 
-/// A shape's outline as pictures take it.
-[[nodiscard]] viz::Look<2> look_of(const lod2d::Shape& shape, const std::string& name);
+/// A shape's outline or surface as pictures take it.
+template <int Dim>
+[[nodiscard]] viz::Look<Dim> look_of(const scenes::Shape<Dim>& shape, const std::string& name);
 
 /// A body of a staged scene, in the state that `bodies` holds.
-[[nodiscard]] viz::Actor<2> actor_of(const scenes::Setup& setup,
-                                     const std::vector<lod::Body<2>>& bodies, std::int32_t number);
+template <int Dim>
+[[nodiscard]] viz::Actor<Dim> actor_of(const scenes::Setup<Dim>& setup,
+                                       const std::vector<lod::Body<Dim>>& bodies,
+                                       std::int32_t number);
 
 /// A run as pictures take it. `name` heads its row or panel.
-[[nodiscard]] viz::Run<2> seen(const scenes::Setup& setup, const scenes::Run<2>& run,
-                               const std::string& name);
+template <int Dim>
+[[nodiscard]] viz::Run<Dim> seen(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
+                                 const std::string& name);
+
+/// From where a scene's camera sees it.
+template <int Dim>
+[[nodiscard]] typename viz::Sight<Dim>::Viewpoint viewpoint_of(const scenes::Scene& scene);
 
 [[nodiscard]] viz::Theme theme_of(const Options& options);
 [[nodiscard]] viz::Quality quality_of(const Options& options);
+
+/// A file that is no picture: written by the command itself.
+struct Export {
+    std::string ending;  ///< ".sph"
+    std::function<void(const std::string& path)> write;
+};
 
 /// What a command draws: only what an --out asks for is made.
 struct Drawing {
     std::function<viz::Figure()> figure;        ///< nothing: the command has no still picture
     std::function<viz::Animation()> animation;  ///< nothing: the command has no video
-    std::function<void(const std::string& path)> json;  ///< nothing: a .json is the figure's data
+    /// The first one whose ending fits is taken; a .json of none of them is the figure's data.
+    std::vector<Export> exports;
+};
+
+/// What a command can write.
+struct Formats {
+    bool video = false;
+    std::vector<std::string> exports{};  ///< endings, such as ".sph"
 };
 
 /// Before any work: throws lod::Error, usage for an ending that the command does not write, output
 /// failed for a place that cannot be written.
-void check_outputs(const Options& options, bool has_video);
+void check_outputs(const Options& options, const Formats& formats);
 
 /// Writes every --out, with a progress bar for videos.
 void write_outputs(const Options& options, const Drawing& drawing);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "viz/draw_motion.hpp"
 #include "viz/draw_plot.hpp"
@@ -23,23 +24,30 @@ std::string title_of(const scenes::Scene& scene) {
     return viz::literal_text(scene.title.empty() ? scene.name : scene.title);
 }
 
-/// Kinetic energy and the two parts of momentum, frame by frame.
+viz::Curve curve_named(const std::string& name, int series) {
+    return {name, {}, {}, {}, series, false, false};
+}
+
+/// Kinetic energy and the parts of momentum along the axes, frame by frame.
+template <int Dim>
 struct Course {
-    viz::Curve energy{"", {}, {}, {}, 0, false, false};
-    viz::Curve along_x{"along x", {}, {}, {}, 0, false, false};
-    viz::Curve along_y{"along y", {}, {}, {}, 1, false, false};
+    viz::Curve energy = curve_named("", 0);
+    std::vector<viz::Curve> momentum;
 };
 
-Course course_of(const scenes::Setup& setup, const scenes::Run<2>& run) {
-    Course course;
-    std::vector<lod::Body<2>> bodies = setup.bodies;
-    const auto add = [&](std::size_t frame, const std::vector<scenes::State<2>>& states) {
+template <int Dim>
+Course<Dim> course_of(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run) {
+    Course<Dim> course;
+    for (int axis = 0; axis < Dim; ++axis)
+        course.momentum.push_back(curve_named("along " + std::string(1, "xyz"[axis]), axis));
+    std::vector<lod::Body<Dim>> bodies = setup.bodies;
+    const auto add = [&](std::size_t frame, const std::vector<scenes::State<Dim>>& states) {
         for (std::size_t i = 0; i < bodies.size(); ++i) scenes::put(states[i], bodies[i]);
         const double time = static_cast<double>(frame) * run.settings.time_step;
-        const lod::Vector<2> momentum = lod::momentum<2>(bodies);
-        course.energy.points.push_back({time, lod::kinetic_energy<2>(bodies)});
-        course.along_x.points.push_back({time, momentum.x()});
-        course.along_y.points.push_back({time, momentum.y()});
+        const lod::Vector<Dim> momentum = lod::momentum<Dim>(bodies);
+        course.energy.points.push_back({time, lod::kinetic_energy<Dim>(bodies)});
+        for (std::size_t axis = 0; axis < course.momentum.size(); ++axis)
+            course.momentum[axis].points.push_back({time, momentum[static_cast<int>(axis)]});
     };
     for (std::size_t k = 0; k < run.steps.size(); ++k) add(k, run.steps[k].before);
     add(run.steps.size(), run.end);
@@ -54,9 +62,10 @@ viz::Box from_zero(const viz::Curve& curve) {
     return {{0, 0}, {curve.points.back().x, highest > 0 ? margin * highest : 1}};
 }
 
-viz::Figure plot_of(const scenes::Setup& setup, const scenes::Run<2>& run,
+template <int Dim>
+viz::Figure plot_of(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
                     const std::string& name) {
-    const Course course = course_of(setup, run);
+    const Course<Dim> course = course_of(setup, run);
     viz::Axes energy;
     energy.x.label = "time [s]";
     energy.y.label = "kinetic energy [J]";
@@ -70,13 +79,12 @@ viz::Figure plot_of(const scenes::Setup& setup, const scenes::Run<2>& run,
         name + ". Between moving bodies momentum is kept; walls that do not move change it.";
     figure.alt = "Two plots over " + readable(course.energy.points.back().x) +
                  " seconds: kinetic energy goes from " + readable(run.energy_start, 4) + " to " +
-                 readable(run.energy_end, 4) + " joules; momentum from (" +
-                 readable(run.momentum_start.x(), 4) + ", " + readable(run.momentum_start.y(), 4) +
-                 ") to (" + readable(run.momentum_end.x(), 4) + ", " +
-                 readable(run.momentum_end.y(), 4) + ") kilogram metres a second.";
+                 readable(run.energy_end, 4) + " joules; momentum from " +
+                 in_brackets(run.momentum_start, 4) + " to " + in_brackets(run.momentum_end, 4) +
+                 " kilogram metres a second.";
     figure.panels = {
         viz::plot_panel("Kinetic energy", energy, {course.energy}, from_zero(course.energy)),
-        viz::plot_panel("Momentum of all that moves", momentum, {course.along_x, course.along_y})};
+        viz::plot_panel("Momentum of all that moves", momentum, course.momentum)};
     figure.scale_bar = false;
     return figure;
 }
@@ -88,56 +96,74 @@ viz::SimulationMotion motion_of(const scenes::Scene& scene) {
 }
 
 /// Two bodies: the strip of their collision. More: where all of them end.
-viz::Figure still_of(const scenes::Setup& setup, const viz::Run<2>& run,
+template <int Dim>
+viz::Figure still_of(const scenes::Setup<Dim>& setup, const viz::Run<Dim>& run,
                      const std::string& picture) {
-    if (picture != "strip" && setup.bodies.size() > 2)
-        return viz::simulation_picture(run, run.instants.back().time, motion_of(setup.scene));
+    const auto viewpoint = viewpoint_of<Dim>(setup.scene);
+    if (picture != "strip" && setup.bodies.size() != 2)
+        return viz::simulation_picture<Dim>(run, run.instants.back().time, motion_of(setup.scene),
+                                            viewpoint);
     viz::StripWords words;
     words.title = title_of(setup.scene);
-    return viz::strips<2>({run}, words);
+    return viz::strips<Dim>({run}, words, viewpoint);
 }
 
 /// The film of two bodies dwells on their collision; more bodies are filmed as they move.
-viz::Animation film_of(const scenes::Setup& setup, const viz::Run<2>& run) {
-    if (setup.bodies.size() > 2 || viz::first_impact(run) < 0)
-        return viz::simulation_motion(run, motion_of(setup.scene));
+template <int Dim>
+viz::Animation film_of(const scenes::Setup<Dim>& setup, const viz::Run<Dim>& run) {
+    const auto viewpoint = viewpoint_of<Dim>(setup.scene);
+    if (setup.bodies.size() != 2 || viz::first_impact(run) < 0)
+        return viz::simulation_motion<Dim>(run, motion_of(setup.scene), viewpoint);
     viz::ImpactMotion choice;
     choice.title = title_of(setup.scene);
-    return viz::impact_motion<2>({run}, choice);
+    return viz::impact_motion<Dim>({run}, choice, viewpoint);
 }
 
-/// The figure with its scenes seen by the scene's camera, where it has one.
+/// The figure with its scenes seen by the scene's camera, where that says how much it sees.
+template <int Dim>
 viz::Figure framed(viz::Figure figure, const scenes::Scene& scene) {
-    if (!scene.camera) return figure;
-    const auto& [centre, width] = *scene.camera;
+    if (!scene.camera || scene.camera->width == 0) return figure;
+    lod::Vector<Dim> centre;
+    for (int i = 0; i < Dim; ++i) centre[i] = scene.camera->centre[static_cast<std::size_t>(i)];
+    const double width = scene.camera->width;
     const double height = width * 9 / 16;
-    for (viz::Panel& panel : figure.panels)
-        if (!panel.axes)
-            panel.view = {{centre[0] - width / 2, centre[1] - height / 2},
-                          {centre[0] + width / 2, centre[1] + height / 2}};
+    for (viz::Panel& panel : figure.panels) {
+        if (panel.axes) continue;
+        const viz::Point middle = viz::Sight<Dim>::on(panel, centre);
+        panel.view = {{middle.x - width / 2, middle.y - height / 2},
+                      {middle.x + width / 2, middle.y + height / 2}};
+    }
     return figure;
 }
 
+template <int Dim>
 viz::Animation framed(viz::Animation animation, const scenes::Scene& scene) {
     if (!scene.camera) return animation;
     for (viz::Shot& shot : animation.shots)
-        shot.draw = [draw = std::move(shot.draw), scene] { return framed(draw(), scene); };
+        shot.draw = [draw = std::move(shot.draw), scene] { return framed<Dim>(draw(), scene); };
     return animation;
 }
 
 }  // namespace
 
-Drawing drawing_of(const scenes::Setup& setup, const scenes::Run<2>& run, const Options& options) {
+template <int Dim>
+Drawing drawing_of(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
+                   const Options& options) {
     const std::string name =
         options.replay.empty() ? limit_of(setup.scene.limits) : "Played again from a trace";
-    const auto shown = std::make_shared<const viz::Run<2>>(seen(setup, run, name));
+    const auto shown = std::make_shared<const viz::Run<Dim>>(seen(setup, run, name));
     Drawing drawing;
     drawing.figure = [&setup, &run, &options, shown] {
         if (options.picture == "plot") return plot_of(setup, run, shown->name);
-        return framed(still_of(setup, *shown, options.picture), setup.scene);
+        return framed<Dim>(still_of(setup, *shown, options.picture), setup.scene);
     };
-    drawing.animation = [&setup, shown] { return framed(film_of(setup, *shown), setup.scene); };
+    drawing.animation = [&setup, shown] {
+        return framed<Dim>(film_of(setup, *shown), setup.scene);
+    };
     return drawing;
 }
+
+template Drawing drawing_of(const scenes::Setup<2>&, const scenes::Run<2>&, const Options&);
+template Drawing drawing_of(const scenes::Setup<3>&, const scenes::Run<3>&, const Options&);
 
 }  // namespace cli

@@ -6,7 +6,8 @@
 namespace cli {
 
 /// What `simulate` draws of a run: strip or plot as a still, and the motion as a video.
-[[nodiscard]] Drawing drawing_of(const scenes::Setup& setup, const scenes::Run<2>& run,
+template <int Dim>
+[[nodiscard]] Drawing drawing_of(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
                                  const Options& options);
 
 }  // namespace cli

@@ -1,6 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "cli/dimension.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/run_pictures.hpp"
 #include "cli/staging.hpp"
@@ -16,27 +18,29 @@ Json or_null(int level) {
     return level < 0 ? Json() : Json(level);
 }
 
-Json result_of(const scenes::Run<2>& run, const scenes::Summary& summary) {
-    return {{"frames", run.steps.size()},
-            {"state_hash", scenes::hexadecimal(run.state_hash)},
-            {"energy", {{"start", run.energy_start}, {"end", run.energy_end}}},
-            {"momentum",
-             {{"start", {run.momentum_start.x(), run.momentum_start.y()}},
-              {"end", {run.momentum_end.x(), run.momentum_end.y()}}}},
-            {"tests", summary.tests},
-            {"contacts", summary.contacts},
-            {"interrupted_frames", summary.interrupted_frames},
-            {"level_reached",
-             {{"min", or_null(summary.level_min)},
-              {"median", or_null(summary.level_median)},
-              {"max", or_null(summary.level_max)}}},
-            {"frame_ms",
-             {{"median", summary.frame_ms_median},
-              {"p99", summary.frame_ms_p99},
-              {"max", summary.frame_ms_max}}}};
+template <int Dim>
+Json result_of(const scenes::Run<Dim>& run, const scenes::Summary& summary) {
+    return {
+        {"dim", Dim},
+        {"frames", run.steps.size()},
+        {"state_hash", scenes::hexadecimal(run.state_hash)},
+        {"energy", {{"start", run.energy_start}, {"end", run.energy_end}}},
+        {"momentum", {{"start", list_of(run.momentum_start)}, {"end", list_of(run.momentum_end)}}},
+        {"tests", summary.tests},
+        {"contacts", summary.contacts},
+        {"interrupted_frames", summary.interrupted_frames},
+        {"level_reached",
+         {{"min", or_null(summary.level_min)},
+          {"median", or_null(summary.level_median)},
+          {"max", or_null(summary.level_max)}}},
+        {"frame_ms",
+         {{"median", summary.frame_ms_median},
+          {"p99", summary.frame_ms_p99},
+          {"max", summary.frame_ms_max}}}};
 }
 
-std::string report_of(const scenes::Scene& scene, const scenes::Run<2>& run,
+template <int Dim>
+std::string report_of(const scenes::Scene& scene, const scenes::Run<Dim>& run,
                       const scenes::Summary& summary) {
     std::string text = scene.name + ": " + std::to_string(run.steps.size()) + " frames of " +
                        readable(run.settings.time_step * 1000) + " ms\n";
@@ -49,9 +53,8 @@ std::string report_of(const scenes::Scene& scene, const scenes::Run<2>& run,
                 std::to_string(summary.level_median) + "\n";
     text += "  kinetic energy " + readable(run.energy_start) + " J -> " + readable(run.energy_end) +
             " J\n";
-    text += "  momentum (" + readable(run.momentum_start.x()) + ", " +
-            readable(run.momentum_start.y()) + ") -> (" + readable(run.momentum_end.x()) + ", " +
-            readable(run.momentum_end.y()) + ") kg m/s\n";
+    text += "  momentum " + in_brackets(run.momentum_start) + " -> " +
+            in_brackets(run.momentum_end) + " kg m/s\n";
     text += "  collision handling of a frame: median " + readable(summary.frame_ms_median) +
             " ms, worst " + readable(summary.frame_ms_max) + " ms\n";
     text += "  state hash " + scenes::hexadecimal(run.state_hash) + "\n";
@@ -68,22 +71,28 @@ void check_replay(const Options& options) {
                          "the other options");
 }
 
-}  // namespace
-
-void run_simulate(const Options& options) {
-    check_replay(options);
-    check_outputs(options, true);
-    const scenes::Setup setup = stage(options);
-    const scenes::Run<2> run =
+template <int Dim>
+void simulate(const scenes::Scene& scene, const Options& options) {
+    const scenes::Setup<Dim> setup = stage<Dim>(scene, options);
+    const scenes::Run<Dim> run =
         options.replay.empty() ? play(setup, options, "Simulating") : play_again(setup, options);
     if (!options.trace.empty())
-        scenes::write_trace<2>(options.trace, setup.scene.name, setup.bodies, run);
+        scenes::write_trace<Dim>(options.trace, setup.scene.name, setup.bodies, run);
     write_outputs(options, drawing_of(setup, run, options));
     const scenes::Summary summary = scenes::summarise(run);
     if (options.json)
         print(result_of(run, summary));
     else
         print(report_of(setup.scene, run, summary));
+}
+
+}  // namespace
+
+void run_simulate(const Options& options) {
+    check_replay(options);
+    const scenes::Scene scene = scene_of(options);
+    check_outputs(options, {.video = true});
+    in_dimension(scene.dim, [&](auto dim) { simulate<dim()>(scene, options); });
 }
 
 }  // namespace cli

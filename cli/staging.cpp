@@ -36,18 +36,29 @@ const lod::Clock& steady_clock() {
 
 }  // namespace
 
-scenes::Setup stage(const Options& options) {
+scenes::Scene scene_of(const Options& options) {
     scenes::Scene scene = scenes::load_scene(scenes::scene_file(options.scene));
     override_limits(options, scene.limits);
     override_choice(options.response, scenes::response_names, scene.response);
     override_choice(options.point_model, scenes::point_model_names, scene.point_model);
     if (options.duration) scene.duration = *options.duration;
-    scenes::Setup setup = scenes::set_up(scene, options.raise_limits);
+    return scene;
+}
+
+template <int Dim>
+scenes::Setup<Dim> stage(const scenes::Scene& scene, const Options& options) {
+    ProgressBar bar("Building the trees");
+    scenes::SetupOptions how;
+    how.raise_limits = options.raise_limits;
+    how.progress = [&](double share) { bar.show(share); };
+    scenes::Setup<Dim> setup = scenes::set_up<Dim>(scene, how);
     for (const std::string& warning : setup.warnings) remark(warning);
     return setup;
 }
 
-scenes::Run<2> play(const scenes::Setup& setup, const Options& options, const std::string& label) {
+template <int Dim>
+scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
+                      const std::string& label) {
     const scenes::Scene& scene = setup.scene;
     const double most = most_frames * options.raise_limits;
     if (static_cast<double>(scene.frames()) > most)
@@ -65,12 +76,21 @@ scenes::Run<2> play(const scenes::Setup& setup, const Options& options, const st
     return scenes::run(setup.bodies, run);
 }
 
-scenes::Run<2> play_again(const scenes::Setup& setup, const Options& options) {
+template <int Dim>
+scenes::Run<Dim> play_again(const scenes::Setup<Dim>& setup, const Options& options) {
     ProgressBar bar("Playing again");
     scenes::RunOptions run;
     run.clock = &steady_clock();
     run.progress = [&](double share) { bar.show(share); };
     return scenes::replay(scenes::read_trace(options.replay), setup.bodies, run);
 }
+
+#define CLI_INSTANTIATE(Dim)                                                                       \
+    template scenes::Setup<Dim> stage(const scenes::Scene&, const Options&);                       \
+    template scenes::Run<Dim> play(const scenes::Setup<Dim>&, const Options&, const std::string&); \
+    template scenes::Run<Dim> play_again(const scenes::Setup<Dim>&, const Options&);
+CLI_INSTANTIATE(2)
+CLI_INSTANTIATE(3)
+#undef CLI_INSTANTIATE
 
 }  // namespace cli

@@ -6,16 +6,22 @@
 
 namespace cli {
 
-/// Loads the scene that the options name, lets the options override what it says, builds its trees
-/// and reports bodies that start inside each other.
-[[nodiscard]] scenes::Setup stage(const Options& options);
+/// The scene that the options name, with what the options override.
+[[nodiscard]] scenes::Scene scene_of(const Options& options);
+
+/// Builds the trees of a scene, with a progress bar, and reports bodies that start inside each
+/// other.
+template <int Dim>
+[[nodiscard]] scenes::Setup<Dim> stage(const scenes::Scene& scene, const Options& options);
 
 /// Runs a staged scene under its limits, with a progress bar. `label` heads the bar.
 /// Throws lod::Error (limit exceeded) when that takes more frames than the limit.
-[[nodiscard]] scenes::Run<2> play(const scenes::Setup& setup, const Options& options,
-                                  const std::string& label);
+template <int Dim>
+[[nodiscard]] scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
+                                    const std::string& label);
 
 /// The same, from a trace.
-[[nodiscard]] scenes::Run<2> play_again(const scenes::Setup& setup, const Options& options);
+template <int Dim>
+[[nodiscard]] scenes::Run<Dim> play_again(const scenes::Setup<Dim>& setup, const Options& options);
 
 }  // namespace cli

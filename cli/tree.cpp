@@ -1,13 +1,16 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
+#include "cli/dimension.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
 #include "cli/progress.hpp"
 #include "core/error.hpp"
+#include "core/output_file.hpp"
 #include "io/tree_json.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/tree_report.hpp"
+#include "lod3d/export_spheres.hpp"
+#include "scenes/shapes.hpp"
 #include "viz/draw_tree.hpp"
 
 namespace cli {
@@ -15,18 +18,27 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-void print_list() {
+template <int Dim>
+std::string list_text() {
+    using Shapes = scenes::Shapes<Dim>;
     std::string text = "Generators (in metres; numbers may be left out from the right):\n";
-    for (const lod2d::Generator& generator : lod2d::generators())
-        text += "  " + lod2d::usage(generator) + "  " + std::string(generator.description) + "\n";
-    text += "Files: NAME.svg\nText in a font: text:R\nBuilders of trees:\n";
-    for (const lod2d::Builder builder : lod2d::builders())
-        text += "  " + std::string(lod2d::builder_name(builder)) +
-                (builder == lod2d::TreeSettings{}.builder ? " (the default)\n" : "\n");
-    print(text);
+    for (const scenes::GeneratorNote& one : Shapes::generators())
+        text += "  " + one.usage + "  " + one.description + "\n";
+    text += "Files: " + std::string(Shapes::words.files) + "\nBuilders of trees: ";
+    std::string after = " (the default)";
+    for (const std::string_view builder : Shapes::builders()) {
+        text += (after.empty() ? ", " : "") + std::string(builder) + after;
+        after.clear();
+    }
+    return text + "\n";
 }
 
-Json level_json(const lod2d::LevelReport& level) {
+void print_list() {
+    print("In the plane\n" + list_text<2>() + "Text in a font: text:R\n\nIn space (--dim 3)\n" +
+          list_text<3>());
+}
+
+Json level_json(const lod::LevelReport& level) {
     return {{"level", level.level},
             {"nodes", level.nodes},
             {"worst_protrusion", level.worst_protrusion},
@@ -38,33 +50,103 @@ Json level_json(const lod2d::LevelReport& level) {
             {"certified", level.certified}};
 }
 
-Json result_of(const lod2d::Shape& shape, lod2d::Builder builder, const lod2d::TreeReport& report) {
+template <int Dim>
+Json result_of(const scenes::Shape<Dim>& shape, const std::string& builder,
+               const lod::TreeReport& report) {
+    using Shapes = scenes::Shapes<Dim>;
     Json levels = Json::array();
-    for (const lod2d::LevelReport& level : report.levels) levels.push_back(level_json(level));
-    return {{"dim", 2},
+    for (const lod::LevelReport& level : report.levels) levels.push_back(level_json(level));
+    return {{"dim", Dim},
             {"shape",
-             {{"measure", shape.area},
-              {"centroid", {shape.centroid.x(), shape.centroid.y()}},
-              {"inertia", shape.second_moment}}},
-            {"builder", lod2d::builder_name(builder)},
+             {{"measure", Shapes::measure(shape)},
+              {"centroid", list_of(shape.centroid)},
+              {"inertia", moment_of(Shapes::second_moment(shape))},
+              {"approximate", Shapes::is_approximate(shape)},
+              {"remarks", Shapes::remarks(shape)}}},
+            {"builder", builder},
             {"levels", std::move(levels)}};
 }
 
-std::string report_of(const lod2d::Shape& shape, lod2d::Builder builder,
-                      const lod2d::TreeReport& report) {
-    std::string text = shape.name + ": area " + readable(shape.area) + " m^2, second moment " +
-                       readable(shape.second_moment) + " m^4, tree by " +
-                       std::string(lod2d::builder_name(builder)) + "\n";
-    text += "  level   nodes   worst [m]    mean [m]   area ratio   covers\n";
-    for (const lod2d::LevelReport& level : report.levels)
+template <int Dim>
+std::string report_of(const scenes::Shape<Dim>& shape, const std::string& builder,
+                      const lod::TreeReport& report) {
+    using Shapes = scenes::Shapes<Dim>;
+    const auto& words = Shapes::words;
+    const std::string measure(words.measure);
+    const lod::Inertia<Dim> moment = Shapes::second_moment(shape);
+    std::string text =
+        shape.name + ": " + measure + " " + readable(Shapes::measure(shape)) + " " +
+        std::string(words.measure_unit) + ", second moment " +
+        (moment.size() == 1 ? readable(moment(0, 0)) : in_brackets(moment.diagonal(), 4)) + " " +
+        std::string(words.moment_unit) + (Shapes::is_approximate(shape) ? " (approximate)" : "") +
+        ", tree by " + builder + "\n";
+    text += "  level   nodes   worst [m]     worst    mean [m]" + right(measure + " ratio", 14) +
+            "   covers\n";
+    for (const lod::LevelReport& level : report.levels)
         text += "  " + right(std::to_string(level.level), 5) +
                 right(std::to_string(level.nodes), 8) +
                 right(readable(level.worst_protrusion, 3), 12) +
+                right(readable(100 * level.worst_protrusion_fraction, 3) + " %", 10) +
                 right(readable(level.mean_protrusion, 3), 12) +
-                right(readable(level.measure_ratio, 4), 13) +
+                right(readable(level.measure_ratio, 4), 14) +
                 (level.certified ? "   yes, proved\n" : "   no\n");
-    text += "worst and mean: how far the circles stand out of the shape\n";
-    return text;
+    return text + "worst and mean: how far the " + std::string(words.balls) +
+           " stand out of the shape; %: of its bounding diameter\n";
+}
+
+/// Spheres for other programs, in the frame of the mesh.
+void add_sphere_exports(const lod3d::Solid& solid, const lod::SphereTree<3>& tree,
+                        const Options& options, std::vector<Export>& exports) {
+    exports.push_back({".spheres.json", [&](const std::string& path) {
+                           lod::write_text_file(path, lod3d::spheres_to_json(tree, solid.centroid));
+                       }});
+    exports.push_back({".sph", [&](const std::string& path) {
+                           lod::write_text_file(path, lod3d::spheres_to_sph(tree, solid.centroid));
+                       }});
+    exports.push_back({".urdf", [&](const std::string& path) {
+                           const int last = tree.levels() - 1;
+                           const int level = std::min(options.level.value_or(last), last);
+                           lod::write_text_file(path, lod3d::spheres_to_urdf(tree, solid.centroid,
+                                                                             level, solid.name));
+                       }});
+}
+void add_sphere_exports(const lod2d::Shape&, const lod::SphereTree<2>&, const Options&,
+                        std::vector<Export>&) {}
+
+template <int Dim>
+std::shared_ptr<const lod::SphereTree<Dim>> tree_of(const scenes::Shape<Dim>& shape,
+                                                    const scenes::TreeChoice& choice) {
+    auto settings = scenes::Shapes<Dim>::settings(choice);
+    ProgressBar bar("Building the tree");
+    settings.progress = [&](double share) { bar.show(share); };
+    return std::make_shared<const lod::SphereTree<Dim>>(
+        scenes::Shapes<Dim>::build(shape, settings));
+}
+
+template <int Dim>
+void tree(const Options& options) {
+    using Shapes = scenes::Shapes<Dim>;
+    const scenes::TreeChoice choice{options.builder, options.branching, options.depth,
+                                    options.error, options.nodes};
+    static_cast<void>(Shapes::settings(choice));  // throws for an unknown builder
+    const scenes::Shape<Dim> shape =
+        Shapes::named(options.shape, {options.size, options.fill, options.raise_limits});
+    for (const std::string& line : Shapes::remarks(shape)) remark(line);
+    lod::Body<Dim> body;
+    body.tree = tree_of<Dim>(shape, choice);
+    Drawing drawing;
+    drawing.figure = [&] { return viz::tree_levels<Dim>({look_of<Dim>(shape, shape.name), body}); };
+    add_sphere_exports(shape, *body.tree, options, drawing.exports);
+    drawing.exports.push_back(
+        {".json", [&](const std::string& path) { io::save_tree(path, *body.tree); }});
+    write_outputs(options, drawing);
+    const lod::TreeReport report = Shapes::report(shape, *body.tree);
+    const std::string builder =
+        options.builder.empty() ? std::string(Shapes::builders().front()) : options.builder;
+    if (options.json)
+        print(result_of<Dim>(shape, builder, report));
+    else
+        print(report_of<Dim>(shape, builder, report));
 }
 
 }  // namespace
@@ -74,26 +156,11 @@ void run_tree(const Options& options) {
     if (options.shape.empty())
         throw lod::Error(lod::ErrorKind::usage,
                          "no shape given; name one, or lodlab tree --list shows what there is");
-    check_outputs(options, false);
-    const lod2d::Shape shape =
-        scenes::shape_named(options.shape, options.size, options.raise_limits);
-    lod2d::TreeSettings settings =
-        scenes::tree_settings(options.builder, options.branching, options.depth);
-    lod::Body<2> body;
-    {
-        ProgressBar bar("Building the tree");
-        settings.progress = [&](double share) { bar.show(share); };
-        body.tree = std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(shape, settings));
-    }
-    Drawing drawing;
-    drawing.figure = [&] { return viz::tree_levels<2>({look_of(shape, shape.name), body}); };
-    drawing.json = [&](const std::string& path) { io::save_tree(path, *body.tree); };
-    write_outputs(options, drawing);
-    const lod2d::TreeReport report = lod2d::report_tree(shape, *body.tree);
-    if (options.json)
-        print(result_of(shape, settings.builder, report));
-    else
-        print(report_of(shape, settings.builder, report));
+    const int dim = options.dim.value_or(scenes::dimension_of(options.shape));
+    Formats formats{.exports = {".json"}};
+    if (dim == 3) formats.exports = {".spheres.json", ".sph", ".urdf", ".json"};
+    check_outputs(options, formats);
+    in_dimension(dim, [&](auto constant) { tree<constant()>(options); });
 }
 
 }  // namespace cli

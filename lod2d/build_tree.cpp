@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/builder/certify.hpp"
+#include "core/builder/grow.hpp"
 #include "core/error.hpp"
 #include "lod2d/distance.hpp"
 #include "lod2d/medial.hpp"
@@ -65,7 +66,9 @@ Builder builder_named(std::string_view name) {
 
 lod::SphereTree<2> build_tree(const Shape& shape, const TreeSettings& settings) {
     const PolygonPiece whole(shape.polygon);
-    lod::SphereTree<2> tree = built(shape, whole, settings);
+    TreeSettings limited = settings;
+    limited.depth = lod::depth_within(settings.branching, settings.depth, settings.most_nodes);
+    lod::SphereTree<2> tree = built(shape, whole, limited);
     if (!lod::certify<2>(tree, whole).back().certified)
         throw lod::Error(lod::ErrorKind::input_refused,
                          "the circle tree of " + shape.name +

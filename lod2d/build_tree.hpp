@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string_view>
@@ -24,6 +25,8 @@ struct TreeSettings {
     /// A node that stands out of the shape by no more than this share of the root circle's diameter
     /// is not divided further. 0 to 1.
     double least_protrusion = 1e-7;
+    /// Levels that would take the whole tree beyond so many nodes are left out. 0: no such limit.
+    std::int64_t most_nodes = 0;
     /// Medial only: how much a circle costs whose border faces many ways, 0 to 100. The mean
     /// normals of nodes decide the response (the contact model), and circles of the
     /// medial axis touch two sides. At depth 5, worst protrusion in % of the diameter, and

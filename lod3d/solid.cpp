@@ -126,7 +126,7 @@ Solid make_solid(std::string name, Mesh mesh, const SolidOptions& options) {
     const BadEdges bad = find_bad_edges(mesh);
     if (!bad.none() && !options.fill)
         lod::refuse_input(solid.name, "the mesh does not bound a solid: " + describe(bad) +
-                                          "; mend it, or fill it by winding number");
+                                          "; mend it, or fill it by winding number (option fill)");
     if (!bad.none()) {
         mesh = fill_by_winding(mesh, options.fill_cells);
         solid.approximate = true;

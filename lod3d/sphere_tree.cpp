@@ -15,21 +15,6 @@ namespace {
 
 constexpr std::array<SolidBuilder, 2> all_builders{SolidBuilder::octree, SolidBuilder::cover};
 
-/// The depth that the limit of nodes leaves.
-int depth_within(const SphereTreeSettings& settings) {
-    if (settings.most_nodes <= 0) return settings.depth;
-    double level = 1;
-    double all = 1;
-    int depth = 0;
-    while (depth < settings.depth) {
-        level *= settings.branching;
-        all += level;
-        if (all > static_cast<double>(settings.most_nodes)) break;
-        ++depth;
-    }
-    return depth;
-}
-
 lod::SphereTree<3> grow_cover(const Solid& solid, const MeshPiece& whole,
                               const MeshDistance& distance, const lod::GrowSettings& limits,
                               double effort) {
@@ -106,7 +91,7 @@ lod::SphereTree<3> build_sphere_tree(const Solid& solid, const SphereTreeSetting
         throw lod::Error(lod::ErrorKind::limit_exceeded,
                          "cannot build the tree: the effort is out of range; choose 0 to 100");
     lod::check_grow_settings(limits);
-    limits.depth = depth_within(settings);
+    limits.depth = lod::depth_within(settings.branching, settings.depth, settings.most_nodes);
     const MeshDistance distance(solid.mesh, solid.inside_rule);
     const MeshPiece whole(solid, distance);
     lod::SphereTree<3> tree = settings.builder == SolidBuilder::octree

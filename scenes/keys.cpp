@@ -80,11 +80,38 @@ bool truth(const TomlEntry& entry) {
     return *value;
 }
 
-Triple pair(const TomlEntry& entry, double most) {
+Triple vector(const TomlEntry& entry, const Reading& reading, double most) {
     const auto* values = std::get_if<std::vector<double>>(&entry.value);
-    if (!values || values->size() != 2) refuse(entry, "must be two numbers, as in [0.5, -1]");
-    for (double value : *values) check_range(entry, value, -most, most);
-    return {(*values)[0], (*values)[1], 0};
+    if (!values || values->size() != static_cast<std::size_t>(reading.dim))
+        refuse(entry, reading.dim == 2 ? "must be two numbers, as in [0.5, -1]"
+                                       : "must be three numbers, as in [0.5, -1, 2]");
+    Triple triple{};
+    for (std::size_t i = 0; i < values->size(); ++i) {
+        check_range(entry, (*values)[i], -most, most);
+        triple[i] = (*values)[i];
+    }
+    return triple;
+}
+
+/// Refuses a key that means nothing in the plane.
+void check_in_space(const TomlEntry& entry, const Reading& reading) {
+    if (reading.dim != 3) refuse(entry, "is a key of scenes in space; drop it, or write dim = 3");
+}
+
+Triple axis(const TomlEntry& entry, const Reading& reading) {
+    check_in_space(entry, reading);
+    Triple along = vector(entry, reading, most_metres);
+    const double length =
+        std::sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]);
+    constexpr double least_length = 1e-6;
+    if (length < least_length) refuse(entry, "must not be [0, 0, 0]; it says what to turn about");
+    for (double& part : along) part /= length;
+    return along;
+}
+
+Triple spin(const TomlEntry& entry, const Reading& reading) {
+    if (reading.dim == 3) return vector(entry, reading, most_speed);
+    return {0, 0, number(entry, -most_speed, most_speed)};
 }
 
 template <class Choice>
@@ -140,7 +167,7 @@ using E = TomlEntry;
 const Key<Scene> scene_table[] = {
     {"name", "", "the file's name", [](const E& e, Scene& s, Reading&) { s.name = text(e); }},
     {"title", "", "none", [](const E& e, Scene& s, Reading&) { s.title = text(e); }},
-    {"dim", "", "2", [](const E& e, Scene& s, Reading&) { read_dim(e, s); }},
+    {"dim", "", "2", [](const E& e, Scene& s, Reading&) { s.dim = read_dim(e); }},
     {"time_step", "s", "1/240", [](const E& e, Scene& s, Reading&) { s.time_step = number(e, least_step, 1); }},
     {"duration", "s", "2", [](const E& e, Scene& s, Reading&) { s.duration = number(e, least_step, longest); }},
     {"level", "", "the leaves", [](const E& e, Scene& s, Reading&) { check_only_limit(e, s); s.limits.level = integer(e, 0, most_level); }},
@@ -151,7 +178,7 @@ const Key<Scene> scene_table[] = {
     {"point_model", "", "radius_ratio", [](const E& e, Scene& s, Reading&) { s.point_model = choice<lod::PointModel>(e, point_model_names); }},
     {"priority", "", "closing_speed", [](const E& e, Scene& s, Reading&) { s.priority = choice<lod::Priority>(e, priority_names); }},
     {"restitution", "", "1", [](const E& e, Scene&, Reading& r) { r.defaults.restitution = number(e, 0, 1); }},
-    {"density", "kg/m^2", "1", [](const E& e, Scene&, Reading& r) { r.defaults.density = mass(e); }},
+    {"density", "kg/m^2, kg/m^3", "1", [](const E& e, Scene&, Reading& r) { r.defaults.density = mass(e); }},
     {"builder", "", "the best one", [](const E& e, Scene&, Reading& r) { r.defaults.builder = text(e); }},
     {"branching", "children", "the builder's", [](const E& e, Scene&, Reading& r) { r.defaults.branching = integer(e, least_branching, most_branching); }},
     {"depth", "levels", "the builder's", [](const E& e, Scene&, Reading& r) { r.defaults.depth = integer(e, 0, most_depth); }},
@@ -162,14 +189,16 @@ const Key<Scene> scene_table[] = {
 const Key<BodySpec> body_table[] = {
     {"name", "", "body N", [](const E& e, BodySpec& b, Reading&) { b.name = text(e); }},
     {"shape", "", "required", [](const E& e, BodySpec& b, Reading&) { b.shape = text(e); }},
-    {"size", "m", "1", [](const E& e, BodySpec& b, Reading&) { b.size = number(e, 1e-6, most_metres); }},
-    {"density", "kg/m^2", "the scene's", [](const E& e, BodySpec& b, Reading&) { b.density = mass(e); }},
-    {"mass", "kg", "density x area", [](const E& e, BodySpec& b, Reading&) { b.mass = mass(e); }},
+    {"size", "m", "see there", [](const E& e, BodySpec& b, Reading&) { b.size = number(e, 1e-6, most_metres); }},
+    {"fill", "", "false", [](const E& e, BodySpec& b, Reading& r) { check_in_space(e, r); b.fill = truth(e); }},
+    {"density", "kg/m^2, kg/m^3", "the scene's", [](const E& e, BodySpec& b, Reading&) { b.density = mass(e); }},
+    {"mass", "kg", "density x measure", [](const E& e, BodySpec& b, Reading&) { b.mass = mass(e); }},
     {"static", "", "false", [](const E& e, BodySpec& b, Reading&) { b.is_static = truth(e); }},
-    {"position", "m", "[0, 0]", [](const E& e, BodySpec& b, Reading&) { b.position = pair(e, most_metres); }},
+    {"position", "m", "the origin", [](const E& e, BodySpec& b, Reading& r) { b.position = vector(e, r, most_metres); }},
+    {"axis", "", "[0, 0, 1]", [](const E& e, BodySpec& b, Reading& r) { b.axis = axis(e, r); }},
     {"angle", "degrees", "0", [](const E& e, BodySpec& b, Reading&) { b.angle = radians(number(e, -most_degrees, most_degrees)); }},
-    {"velocity", "m/s", "[0, 0]", [](const E& e, BodySpec& b, Reading&) { b.velocity = pair(e, most_speed); }},
-    {"spin", "rad/s", "0", [](const E& e, BodySpec& b, Reading&) { b.spin = number(e, -most_speed, most_speed); }},
+    {"velocity", "m/s", "at rest", [](const E& e, BodySpec& b, Reading& r) { b.velocity = vector(e, r, most_speed); }},
+    {"spin", "rad/s", "none", [](const E& e, BodySpec& b, Reading& r) { b.spin = spin(e, r); }},
     {"restitution", "", "the scene's", [](const E& e, BodySpec& b, Reading&) { b.restitution = number(e, 0, 1); }},
     {"builder", "", "the scene's", [](const E& e, BodySpec& b, Reading&) { b.builder = text(e); }},
     {"branching", "children", "the scene's", [](const E& e, BodySpec& b, Reading&) { b.branching = integer(e, least_branching, most_branching); }},
@@ -177,8 +206,11 @@ const Key<BodySpec> body_table[] = {
 };
 
 const Key<Camera> camera_table[] = {
-    {"centre", "m", "[0, 0]", [](const E& e, Camera& c, Reading&) { c.centre = pair(e, most_metres); }},
+    {"centre", "m", "the origin", [](const E& e, Camera& c, Reading& r) { c.centre = vector(e, r, most_metres); }},
     {"width", "m", "required", [](const E& e, Camera& c, Reading&) { c.width = number(e, 1e-6, most_metres); }},
+    {"azimuth", "degrees", "see there", [](const E& e, Camera& c, Reading& r) { check_in_space(e, r); c.azimuth = radians(number(e, -360, 360)); }},
+    {"elevation", "degrees", "24", [](const E& e, Camera& c, Reading& r) { check_in_space(e, r); c.elevation = radians(number(e, -89, 89)); }},
+    {"perspective", "", "false", [](const E& e, Camera& c, Reading& r) { check_in_space(e, r); c.perspective = truth(e); }},
 };
 // clang-format on
 
@@ -201,9 +233,8 @@ std::span<const Key<Camera>> camera_keys() {
     return camera_table;
 }
 
-void read_dim(const TomlEntry& entry, Scene& scene) {
-    scene.dim = integer(entry, 2, 3);
-    if (scene.dim == 3) refuse(entry, "= 3: scenes in space come later; write dim = 2");
+int read_dim(const TomlEntry& entry) {
+    return integer(entry, 2, 3);
 }
 
 std::vector<KeyNote> key_notes() {

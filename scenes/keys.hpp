@@ -19,6 +19,7 @@ struct Defaults {
 
 /// What is met while the top of a scene file is read and used after it.
 struct Reading {
+    int dim = 2;
     Defaults defaults;
     std::vector<TomlTable> bodies;
     std::vector<TomlTable> cameras;
@@ -37,7 +38,7 @@ struct Key {
 [[nodiscard]] std::span<const Key<BodySpec>> body_keys();
 [[nodiscard]] std::span<const Key<Camera>> camera_keys();
 
-/// Throws lod::Error unless the scene is of the plane; space comes later.
-void read_dim(const TomlEntry& entry, Scene& scene);
+/// 2 or 3: it says how long vectors are, so it is read first.
+[[nodiscard]] int read_dim(const TomlEntry& entry);
 
 }  // namespace scenes

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/error.hpp"
+#include "lod3d/import_limits.hpp"
 #include "scenes/spelling.hpp"
 
 namespace scenes {
@@ -42,6 +43,70 @@ std::filesystem::path scene_file(const std::string& name) {
     throw lod::Error(lod::ErrorKind::input_refused,
                      "no scene file " + name + did_you_mean(name, candidates) +
                          "; name a file, or one of " + listed(candidates));
+}
+
+namespace {
+
+constexpr std::string_view package_prefix = "package:";
+
+constexpr SharedFolder shared[] = {
+    {"glmark2-data", "/usr/share/glmark2/models"},
+    {"openclipart-svg", "/usr/share/openclipart/svg"},
+    {"assimp-testmodels", "/usr/share/assimp/models"},
+};
+
+}  // namespace
+
+std::span<const SharedFolder> shared_folders() {
+    return shared;
+}
+
+bool in_package(std::string_view name) {
+    return name.starts_with(package_prefix);
+}
+
+std::filesystem::path package_file(std::string_view name) {
+    const auto refuse = [&](const std::string& why) {
+        throw lod::Error(lod::ErrorKind::input_refused, std::string(name) + ": " + why);
+    };
+    const std::string_view rest = name.substr(package_prefix.size());
+    const std::string_view package = rest.substr(0, rest.find('/'));
+    const auto* place = std::find_if(std::begin(shared), std::end(shared),
+                                     [&](const auto& one) { return one.package == package; });
+    if (place == std::end(shared)) {
+        std::vector<std::string_view> packages;
+        for (const SharedFolder& one : shared) packages.push_back(one.package);
+        refuse("no such package" + did_you_mean(package, packages) + "; write package:NAME/FILE, " +
+               "NAME being one of " + listed(packages));
+    }
+    const std::filesystem::path inside =
+        rest.size() > package.size() ? rest.substr(package.size() + 1) : std::string_view();
+    const auto normal = inside.lexically_normal();
+    if (inside.empty() || inside.is_absolute() || *normal.begin() == "..")
+        refuse("names no file of the package; write package:NAME/FILE");
+    std::error_code ignored;
+    const std::filesystem::path folder(place->folder);
+    if (!std::filesystem::is_directory(folder, ignored))
+        throw lod::Error(lod::ErrorKind::not_installed,
+                         std::string(name) + ": the package is not installed; sudo apt-get " +
+                             "install -y " + std::string(package));
+    if (!std::filesystem::exists(folder / normal, ignored))
+        refuse("there is no such file in " + folder.string() + "; check the name");
+    return folder / normal;
+}
+
+std::string ending_of(std::string_view name) {
+    std::string ending = std::filesystem::path(name).extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return ending;
+}
+
+bool looks_like_file(std::string_view name) {
+    const std::string ending = ending_of(name);
+    return name.find('/') != std::string_view::npos || ending == "svg" ||
+           lod3d::is_mesh_format(ending);
 }
 
 }  // namespace scenes

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "scenes/keys.hpp"
+#include "scenes/places.hpp"
 #include "scenes/spelling.hpp"
 
 namespace scenes {
@@ -36,20 +37,21 @@ void read_table(const TomlTable& table, std::span<const Key<Target>> keys, std::
     }
 }
 
-/// Where the shape names a file, finds it beside the scene. Anything that looks like a path or has
-/// a drawing's ending is a file; a generator has neither.
+/// Where the shape names a file beside the scene, finds it.
 std::filesystem::path shape_file(const BodySpec& body, const std::filesystem::path& scene) {
-    if (body.shape.starts_with("text:")) return {};
+    if (body.shape.starts_with("text:") || in_package(body.shape) || !looks_like_file(body.shape))
+        return {};
     const std::filesystem::path named(body.shape);
-    if (body.shape.find('/') == std::string::npos && named.extension() != ".svg") return {};
     const auto folder =
         std::filesystem::weakly_canonical(std::filesystem::absolute(scene)).parent_path();
     const auto file = std::filesystem::weakly_canonical(folder / named);
     const auto inside = file.lexically_relative(folder);
     if (named.is_absolute() || inside.empty() || *inside.begin() == "..")
-        refuse(body.where,
-               "shape " + body.shape +
-                   " lies outside the folder of the scene; copy the file beside the scene");
+        refuse(
+            body.where,
+            "shape " + body.shape +
+                " lies outside the folder of the scene; copy the file beside the scene, or name a "
+                "file of a package as in package:glmark2-data/bunny.obj");
     if (!std::filesystem::exists(file))
         refuse(body.where, "there is no shape file " + file.string() + "; check the name");
     return scene.parent_path() / named;
@@ -62,7 +64,7 @@ void complete(BodySpec& body, std::size_t number, const std::filesystem::path& p
     if (body.name.empty()) body.name = "body " + std::to_string(number);
     if (!names.insert(body.name).second)
         refuse(body.where, "a second body is called " + body.name + "; give it another name");
-    if (body.is_static && (body.velocity != Triple{} || body.spin != 0))
+    if (body.is_static && (body.velocity != Triple{} || body.spin != Triple{}))
         refuse(body.where,
                "body " + body.name + " is static and has a velocity or a spin; drop one of them");
     body.file = shape_file(body, path);
@@ -87,7 +89,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path) {
     Reading reading;
     const Defaults& defaults = reading.defaults;
     // dim says how long vectors are, so it comes first wherever it stands.
-    if (const TomlEntry* dim = find(document, "dim")) read_dim(*dim, scene);
+    if (const TomlEntry* dim = find(document, "dim")) reading.dim = read_dim(*dim);
     read_table<Scene>(document, scene_keys(), "the scene", scene, reading);
 
     std::set<std::string> names;
@@ -106,7 +108,7 @@ Scene parse_scene(std::string_view text, const std::filesystem::path& path) {
     for (const TomlTable& table : reading.cameras) {
         Camera camera;
         read_table<Camera>(table, camera_keys(), "the camera", camera, reading);
-        if (camera.width == 0)
+        if (camera.width == 0 && scene.dim == 2)
             refuse(table.where, "the camera has no width; add width = 4, for example");
         scene.camera = camera;
     }

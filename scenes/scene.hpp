@@ -13,24 +13,27 @@
 
 namespace scenes {
 
-/// A vector of a scene file, world frame, SI units. In the plane the third entry is 0.
+/// A vector of a scene file, world frame, SI units; in the plane its third entry is 0. A spin of
+/// the plane turns about the third axis.
 using Triple = std::array<double, 3>;
 
 /// One body as a scene file describes it. World frame, SI units, radians.
 struct BodySpec {
-    std::string name;              ///< unique in its scene
-    std::string shape;             ///< as written: a file, "text:R", or a generator
-    std::filesystem::path file;    ///< where the shape is a file: its path; else empty
-    std::optional<double> size;    ///< longer side of the shape's box [m]
-    double density = 1;            ///< [kg/m^2]
-    std::optional<double> mass;    ///< [kg]; overrides the density
-    bool is_static = false;        ///< never moves
-    Triple position{};             ///< of the centre of mass [m]
-    double angle = 0;              ///< [rad]; the file says degrees
-    Triple velocity{};             ///< of the centre of mass [m/s]
-    double spin = 0;               ///< [rad/s]
-    double restitution = 1;        ///< 0 to 1; a pair takes the smaller
-    std::string builder;           ///< of the tree; empty: the default builder
+    std::string name;            ///< unique in its scene
+    std::string shape;           ///< as written: a file, "package:NAME/FILE", "text:R", a generator
+    std::filesystem::path file;  ///< where the shape is a file beside the scene: its path
+    std::optional<double> size;  ///< longest side of the shape's box [m]
+    bool fill = false;           ///< open meshes are filled by winding number
+    double density = 1;          ///< [kg/m^2] in the plane, [kg/m^3] in space
+    std::optional<double> mass;  ///< [kg]; overrides the density
+    bool is_static = false;      ///< never moves
+    Triple position{};           ///< of the centre of mass [m]
+    Triple axis{0, 0, 1};        ///< unit vector that the body is turned about
+    double angle = 0;            ///< [rad], right-handed about the axis; the file says degrees
+    Triple velocity{};           ///< of the centre of mass [m/s]
+    Triple spin{};               ///< [rad/s]
+    double restitution = 1;      ///< 0 to 1; a pair takes the smaller
+    std::string builder;         ///< of the tree; empty: the default builder
     std::optional<int> branching;  ///< children of a node; nothing: the builder's default
     std::optional<int> depth;      ///< levels below the root; nothing: the builder's default
     std::string where;             ///< "file:line:column" of its entry, for messages
@@ -46,7 +49,12 @@ struct Limits {
 /// The part of the world that pictures show. World frame, metres.
 struct Camera {
     Triple centre{};
-    double width = 0;  ///< > 0
+    double width = 0;  ///< 0, in space only: all that moves
+    /// Space: where the eye stands, about the vertical from the side of the reader, growing to the
+    /// right [rad]; nothing: what moves, moves across.
+    std::optional<double> azimuth;
+    std::optional<double> elevation;  ///< space: above the ground [rad]
+    bool perspective = false;         ///< space: what is near is larger
 };
 
 /// A scene file as data. README.md in this folder documents every key of the file.

@@ -24,4 +24,16 @@ void check_grow_settings(const GrowSettings& settings) {
         refuse("the weight of the normals", "0 to 100");
 }
 
+int depth_within(int branching, int depth, std::int64_t most_nodes) {
+    if (most_nodes <= 0) return depth;
+    double level = 1;
+    double all = 1;
+    for (int reached = 0; reached < depth; ++reached) {
+        level *= branching;
+        all += level;
+        if (all > static_cast<double>(most_nodes)) return reached;
+    }
+    return depth;
+}
+
 }  // namespace lod

@@ -44,6 +44,10 @@ struct GrowSettings {
 /// Throws Error (limit exceeded) where a setting is out of range.
 void check_grow_settings(const GrowSettings& settings);
 
+/// The depth, at most `depth`, at which a complete tree has no more than so many nodes; 0 nodes: no
+/// limit.
+[[nodiscard]] int depth_within(int branching, int depth, std::int64_t most_nodes);
+
 /// What a kind of shape knows about dividing its pieces well.
 template <class Strategy, int Dim, class Piece>
 concept GrowStrategy = requires(const Strategy strategy, const Piece piece,

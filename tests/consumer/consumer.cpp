@@ -10,7 +10,7 @@
 #include "viz/write.hpp"
 
 lod::Body<2> disc(double mass, double x, double velocity) {
-    const lod2d::Shape shape = scenes::shape_named("disc", std::nullopt);
+    const lod2d::Shape shape = scenes::Shapes<2>::named("disc", {});
     lod::Body<2> body;
     lod::set_mass(body, mass, lod::Inertia<2>::Constant(mass * shape.second_moment / shape.area));
     body.position = {x, 0};

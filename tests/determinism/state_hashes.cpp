@@ -4,6 +4,7 @@
 // Usage: state_hashes [FILE]   compares with the hashes in FILE instead of printing, exits 1 on a
 // change
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -131,19 +132,28 @@ void add_trees(Report& report) {
         }
 }
 
+/// The state in which a scene ends.
+template <int Dim>
+std::uint64_t end_of(const scenes::Scene& scene) {
+    scenes::RunOptions options;
+    options.settings = scenes::frame_settings(scene, scene.limits);
+    options.frames = scene.frames();
+    options.limits = scene.limits;
+    return scenes::run(scenes::set_up<Dim>(scene).bodies, options).state_hash;
+}
+
 /// Every scene that comes with lodlab, from its file to its end, with shallow trees: at -O0 they
 /// take a hundred times as long as in a release.
 void add_scenes(Report& report) {
     for (const std::string& name : scenes::names()) {
         scenes::Scene scene = scenes::load_scene(scenes::scene_file(name));
         for (scenes::BodySpec& body : scene.bodies) body.depth = 2;
-        const scenes::Setup setup = scenes::set_up(scene);
-        scenes::RunOptions options;
-        options.settings = scenes::frame_settings(setup.scene, setup.scene.limits);
-        options.frames = setup.scene.frames();
-        options.limits = setup.scene.limits;
-        if (options.limits.milliseconds) continue;  // not repeatable without its trace
-        report.add("scene " + name, scenes::run(setup.bodies, options).state_hash);
+        const bool from_package = std::any_of(
+            scene.bodies.begin(), scene.bodies.end(),
+            [](const scenes::BodySpec& body) { return scenes::in_package(body.shape); });
+        // Not repeatable without its trace, or not everywhere and of long work.
+        if (scene.limits.milliseconds || from_package) continue;
+        report.add("scene " + name, scene.dim == 3 ? end_of<3>(scene) : end_of<2>(scene));
     }
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double time_step = 1.0 / 960;
 
 struct Figure9 {
-    Setup setup = set_up(load_scene(LODLAB_SOURCE_DIR "/scenes/figure9.toml"));
+    Setup<2> setup = set_up<2>(load_scene(LODLAB_SOURCE_DIR "/scenes/figure9.toml"));
     lod2d::Box2dImpact reference;
 
     Figure9() {
@@ -54,7 +54,7 @@ lod2d::BoundaryIndex border(const lod2d::Shape& shape, const lod::Body<2>& body)
     return lod2d::BoundaryIndex(shape.polygon).carried({body.position, body.orientation});
 }
 
-double gap(const Setup& setup, const std::vector<lod::Body<2>>& bodies) {
+double gap(const Setup<2>& setup, const std::vector<lod::Body<2>>& bodies) {
     return lod2d::distance(border(*setup.shapes[0], bodies[0]),
                            border(*setup.shapes[1], bodies[1]));
 }

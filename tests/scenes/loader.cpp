@@ -31,6 +31,23 @@ bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+constexpr const char* in_space = R"(
+dim = 3
+[[body]]
+shape = "knot"
+position = [1, 2, 3]
+axis = [0, 3, 4]
+angle = 90
+velocity = [4, 5, 6]
+spin = [7, 8, 9]
+fill = true
+[camera]
+centre = [1, 2, 3]
+azimuth = 180
+elevation = -30
+perspective = true
+)";
+
 constexpr const char* every_key = R"(
 name = "n"
 title = "A sentence"
@@ -102,7 +119,7 @@ TEST_CASE("every key of a body arrives in its field") {
     CHECK(first.position == scenes::Triple{4, 5, 0});
     CHECK(first.angle == Approx(std::numbers::pi));
     CHECK(first.velocity == scenes::Triple{-1, 0.5, 0});
-    CHECK(first.spin == 7);
+    CHECK(first.spin == scenes::Triple{0, 0, 7});
     CHECK(first.restitution == 0.25);
     CHECK(first.builder == "quadtree");
     CHECK(first.branching == 4);
@@ -115,6 +132,48 @@ TEST_CASE("every key of a body arrives in its field") {
     CHECK(second.builder == "pieces");
     CHECK(second.branching == 5);
     CHECK(second.depth == 4);
+}
+
+TEST_CASE("vectors of a scene in space are triples") {
+    const scenes::Scene scene = parsed(in_space);
+    CHECK(scene.dim == 3);
+    const scenes::BodySpec& body = scene.bodies.at(0);
+    CHECK(body.position == scenes::Triple{1, 2, 3});
+    CHECK(body.axis[1] == Approx(0.6));
+    CHECK(body.axis[2] == Approx(0.8));
+    CHECK(body.angle == Approx(std::numbers::pi / 2));
+    CHECK(body.velocity == scenes::Triple{4, 5, 6});
+    CHECK(body.spin == scenes::Triple{7, 8, 9});
+    CHECK(body.fill);
+    const scenes::Camera camera = scene.camera.value();
+    CHECK(camera.centre == scenes::Triple{1, 2, 3});
+    CHECK(camera.width == 0);
+    CHECK(camera.azimuth.value() == Approx(std::numbers::pi));
+    CHECK(camera.elevation.value() == Approx(-std::numbers::pi / 6));
+    CHECK(camera.perspective);
+}
+
+TEST_CASE("what belongs to the other dimension is refused with the mend") {
+    const auto in = [](int dim, const std::string& line) {
+        return refusal("dim = " + std::to_string(dim) + "\n" + body(line));
+    };
+    CHECK(contains(in(2, "position = [1, 2, 3]"), "test.toml:4:1: position must be two numbers"));
+    CHECK(contains(in(3, "position = [1, 2]"), "test.toml:4:1: position must be three numbers"));
+    CHECK(contains(in(3, "velocity = 1"), "velocity must be three numbers"));
+    CHECK(contains(in(3, "spin = 1"), "spin must be three numbers"));
+    CHECK(contains(in(2, "spin = [0, 0, 1]"), "spin must be a number"));
+    CHECK(contains(in(3, "axis = [0, 0, 0]"), "axis must not be [0, 0, 0]"));
+    CHECK(contains(in(3, "axis = [0, nan, 1]"), "axis must lie between"));
+    CHECK(contains(in(2, "axis = [0, 0, 1]"), "axis is a key of scenes in space; drop it, or"));
+    CHECK(contains(in(2, "fill = true"), "fill is a key of scenes in space"));
+    CHECK(contains(in(2, "[camera]\nazimuth = 1"), "test.toml:5:1: azimuth is a key of scenes in"));
+    CHECK(contains(in(3, "fill = 1"), "fill must be true or false"));
+}
+
+TEST_CASE("dim says how long vectors are wherever it stands") {
+    const scenes::Scene scene =
+        parsed("duration = 1\ndim = 3\n[[body]]\nshape = \"box\"\nposition = [1, 2, 3]\n");
+    CHECK(scene.bodies[0].position[2] == 3);
 }
 
 TEST_CASE("a scene that says nothing has the documented defaults") {
@@ -171,7 +230,6 @@ TEST_CASE("values that mean nothing are refused with the mend") {
     CHECK(contains(refusal(body("depth = 2.5")), "whole number"));
     CHECK(contains(refusal(body("size = 0")), "size must lie between"));
     CHECK(contains(refusal("time_step = 0"), "time_step must lie between"));
-    CHECK(contains(refusal("dim = 3\n"), "scenes in space come later; write dim = 2"));
     CHECK(contains(refusal("dim = 4\n"), "between 2 and 3"));
     CHECK(contains(refusal("level = 2\nmilliseconds = 3\n"), "is a second limit; keep one"));
     CHECK(contains(refusal(body("static = true\nspin = 1")),
@@ -191,6 +249,8 @@ TEST_CASE("a shape file outside the scene's folder is refused") {
     CHECK(contains(shape("/etc/passwd"), "lies outside the folder of the scene"));
     CHECK(contains(shape("a/../../secret.svg"), "lies outside the folder of the scene"));
     CHECK(contains(shape("absent.svg"), "there is no shape file"));
+    CHECK(contains(shape("absent.obj"), "there is no shape file"));
+    CHECK(contains(shape("/usr/bunny.obj"), "package:glmark2-data/bunny.obj"));
 }
 
 TEST_CASE("a scene with too many bodies exceeds a limit") {

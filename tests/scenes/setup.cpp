@@ -4,13 +4,14 @@
 #include "tests/catch.hpp"
 
 namespace {
-scenes::Setup staged(const std::string& text) {
-    return scenes::set_up(scenes::parse_scene(text, "/tmp/test.toml"));
+template <int Dim = 2>
+scenes::Setup<Dim> staged(const std::string& text) {
+    return scenes::set_up<Dim>(scenes::parse_scene(text, "/tmp/test.toml"));
 }
 }  // namespace
 
 TEST_CASE("a body has its shape's exact mass and inertia") {
-    const scenes::Setup setup = staged(R"(
+    const scenes::Setup<2> setup = staged(R"(
 density = 3
 [[body]]
 shape = "box:2,1"
@@ -30,7 +31,7 @@ static = true
 }
 
 TEST_CASE("bodies with the same shape and settings share one tree") {
-    const scenes::Setup setup = staged(R"(
+    const scenes::Setup<2> setup = staged(R"(
 depth = 3
 [[body]]
 shape = "gear:9"
@@ -60,7 +61,7 @@ TEST_CASE("a shape that is refused is named with its place in the file") {
 }
 
 TEST_CASE("bodies that start inside each other are allowed and reported") {
-    const scenes::Setup setup = staged(R"(
+    const scenes::Setup<2> setup = staged(R"(
 [[body]]
 name = "left"
 shape = "box:1,1"
@@ -79,7 +80,7 @@ position = [0, 1.01]
 }
 
 TEST_CASE("static bodies may overlap each other without a word") {
-    const scenes::Setup setup = staged(R"(
+    const scenes::Setup<2> setup = staged(R"(
 [[body]]
 shape = "box:4,1"
 static = true
@@ -88,4 +89,84 @@ shape = "box:1,4"
 static = true
 )");
     CHECK(setup.warnings.empty());
+}
+
+TEST_CASE("a solid has its exact mass and inertia") {
+    const auto setup = staged<3>(R"(
+dim = 3
+depth = 0
+density = 3
+[[body]]
+shape = "box:2,1,4"
+[[body]]
+shape = "box:2,1,4"
+size = 8
+mass = 12
+)");
+    // A box of a x b x c: mass = volume x density, inertia about x = m (b^2 + c^2) / 12, and so on.
+    const auto& inertia = setup.bodies[0].inertia;
+    CHECK(1 / setup.bodies[0].inverse_mass == Approx(24));
+    CHECK(inertia(0, 0) == Approx(24.0 * (1 + 16) / 12));
+    CHECK(inertia(1, 1) == Approx(24.0 * (4 + 16) / 12));
+    CHECK(inertia(2, 2) == Approx(24.0 * (4 + 1) / 12));
+    CHECK(inertia(0, 1) == Approx(0).margin(1e-12));
+    CHECK(setup.bodies[1].inertia(0, 0) == Approx(12.0 * (4 + 64) / 12));  // twice as large
+}
+
+TEST_CASE("a body in space is turned about its axis by the right hand") {
+    const auto setup = staged<3>(R"(
+dim = 3
+depth = 0
+[[body]]
+shape = "L"
+axis = [0, 2, 0]
+angle = 90
+spin = [1, 2, 3]
+[[body]]
+shape = "L"
+angle = 90
+position = [5, 0, 0]
+)");
+    const auto turned = [&](std::size_t body, const lod::Vector<3>& v) {
+        return lod::Vector<3>(lod::Space<3>::rotation(setup.bodies[body].orientation) * v);
+    };
+    CHECK(turned(0, {0, 0, 1}).isApprox(lod::Vector<3>(1, 0, 0)));
+    CHECK(turned(1, {1, 0, 0}).isApprox(lod::Vector<3>(0, 1, 0)));  // as in the plane
+    CHECK(setup.bodies[0].spin == lod::Vector<3>(1, 2, 3));
+}
+
+TEST_CASE("solids that touch, or lie one in the other, at the start are reported") {
+    const auto warnings = [](const std::string& second) {
+        return staged<3>("dim = 3\ndepth = 0\n[[body]]\nshape = \"box:1,1,1\"\n[[body]]\n" + second)
+            .warnings.size();
+    };
+    CHECK(warnings("shape = \"box:1,1,1\"\nposition = [0.9, 0.9, 0.9]\n") == 1);
+    CHECK(warnings("shape = \"box:1,1,1\"\nposition = [1.01, 0, 0]\n") == 0);
+    CHECK(warnings("shape = \"ball:1\"\nsize = 0.5\n") == 1);
+    CHECK(warnings("shape = \"ball:1\"\nsize = 5\n") == 1);
+    // Their balls meet, their faces do not.
+    CHECK(warnings("shape = \"box:1,1,1\"\nposition = [0, 1.2, 0]\n") == 0);
+}
+
+TEST_CASE("a shape of the other dimension is refused with the mend") {
+    const auto refusal = [](const std::string& dim, const std::string& shape) -> std::string {
+        const std::string text =
+            "dim = " + dim + "\n[[body]]\ndepth = 0\nshape = \"" + shape + "\"\n";
+        try {
+            if (dim == "2")
+                (void)staged<2>(text);
+            else
+                (void)staged<3>(text);
+        } catch (const lod::Error& error) {
+            CHECK(error.kind() == lod::ErrorKind::input_refused);
+            return error.what();
+        }
+        return "accepted";
+    };
+    using Catch::Matchers::Contains;
+    CHECK_THAT(refusal("3", "text:R"), Contains("text:R is a shape of the plane"));
+    CHECK_THAT(refusal("3", "star:5"), Contains("star:5 is a shape of the plane"));
+    CHECK_THAT(refusal("2", "knot"), Contains("'knot' names no shape"));
+    CHECK_THAT(refusal("3", "package:nothing/a.obj"), Contains("no such package"));
+    CHECK_THAT(refusal("2", "package:glmark2-data/bunny.obj"), Contains("write dim = 3"));
 }

@@ -1,0 +1,94 @@
+#include "core/error.hpp"
+#include "lod2d/generators.hpp"
+#include "lod2d/load.hpp"
+#include "lod2d/overlap.hpp"
+#include "lod2d/tree_report.hpp"
+#include "lod3d/import_limits.hpp"
+#include "scenes/places.hpp"
+#include "scenes/raise.hpp"
+#include "scenes/shapes.hpp"
+
+namespace scenes {
+namespace {
+
+lod2d::Pose pose_of(const lod::Body<2>& body) {
+    return {body.position, body.orientation};
+}
+
+}  // namespace
+
+PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice& choice) {
+    if (lod3d::is_mesh_format(ending_of(spec)))
+        throw lod::Error(lod::ErrorKind::usage,
+                         spec +
+                             " is a mesh, and this is the plane; write dim = 3 in a scene, or "
+                             "--dim 3 at the command");
+    if (choice.fill)
+        throw lod::Error(lod::ErrorKind::usage,
+                         "only meshes are filled, and " + spec + " is none; drop the option");
+    lod2d::LoadSettings settings;
+    if (choice.size) settings.outline.size = *choice.size;
+    raise(settings.most_bytes, choice.raise_limits);
+    raise(settings.most_elements, choice.raise_limits);
+    raise(settings.outline.clean.most_points, choice.raise_limits);
+    raise(settings.outline.clean.most_edge_pairs, choice.raise_limits);
+    raise(settings.outline.clean.most_sweep_steps, choice.raise_limits);
+    lod2d::Shape shape =
+        lod2d::load_shape(in_package(spec) ? package_file(spec).string() : spec, settings);
+    if (!choice.size || !lod2d::names_generator(spec)) return shape;
+    const double scale = *choice.size / lod2d::bounds(shape.polygon).sizes().maxCoeff();
+    for (lod2d::Ring& ring : shape.polygon.rings)
+        for (lod2d::Point& point : ring) point *= scale;
+    return lod2d::make_shape(shape.name, shape.polygon);
+}
+
+PlaneShapes::Settings PlaneShapes::settings(const TreeChoice& choice) {
+    Settings settings;
+    if (!choice.builder.empty()) settings.builder = lod2d::builder_named(choice.builder);
+    if (choice.branching) settings.branching = *choice.branching;
+    if (choice.depth) settings.depth = *choice.depth;
+    if (choice.error) settings.least_protrusion = *choice.error;
+    if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
+    return settings;
+}
+
+lod::SphereTree<2> PlaneShapes::build(const Shape& shape, const Settings& settings) {
+    return lod2d::build_tree(shape, settings);
+}
+
+lod::TreeReport PlaneShapes::report(const Shape& shape, const lod::SphereTree<2>& tree) {
+    return lod2d::report_tree(shape, tree);
+}
+
+lod::Inertia<2> PlaneShapes::second_moment(const Shape& shape) {
+    return lod::Inertia<2>::Constant(shape.second_moment);
+}
+
+std::vector<std::string> PlaneShapes::remarks(const Shape&) {
+    return {};
+}
+
+PlaneShapes::Border PlaneShapes::border_of(const Shape& shape) {
+    return Border(shape.polygon);
+}
+
+bool PlaneShapes::touch(const Border& a, const lod::Body<2>& body_a, const Border& b,
+                        const lod::Body<2>& body_b) {
+    return lod2d::overlap(a.carried(pose_of(body_a)), b.carried(pose_of(body_b)));
+}
+
+std::vector<GeneratorNote> PlaneShapes::generators() {
+    std::vector<GeneratorNote> notes;
+    for (const lod2d::Generator& one : lod2d::generators())
+        notes.push_back({std::string(one.name), lod2d::usage(one), std::string(one.description)});
+    return notes;
+}
+
+std::vector<std::string_view> PlaneShapes::builders() {
+    std::vector<std::string_view> names{lod2d::builder_name(Settings{}.builder)};
+    for (const lod2d::Builder builder : lod2d::builders())
+        if (builder != Settings{}.builder) names.push_back(lod2d::builder_name(builder));
+    return names;
+}
+
+}  // namespace scenes

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "core/body.hpp"
+#include "core/builder/tree_report.hpp"
+#include "lod2d/build_tree.hpp"
+#include "lod2d/distance.hpp"
+#include "lod3d/distance.hpp"
+#include "lod3d/sphere_tree.hpp"
+
+namespace scenes {
+
+/// How a shape is taken from its name.
+struct ShapeChoice {
+    /// Longest side of its box [m]. Nothing: 1 m for drawings and texts; meshes and generators are
+    /// as large as their numbers say.
+    std::optional<double> size;
+    bool fill = false;        ///< take open meshes, filled by winding number
+    double raise_limits = 1;  ///< factor of every limit on the size of files, >= 1
+};
+
+/// How a tree is asked for; the builders' defaults where nothing is said.
+struct TreeChoice {
+    std::string builder;
+    std::optional<int> branching;
+    std::optional<int> depth;
+    /// A node that stands out by no more than this share of the root's diameter is not divided.
+    std::optional<double> error;
+    std::optional<std::int64_t>
+        most_nodes;  ///< levels that would take the tree beyond are left out
+
+    friend auto operator<=>(const TreeChoice&, const TreeChoice&) = default;
+};
+
+/// What a dimension calls its things, for reports.
+struct Words {
+    std::string_view measure;       ///< "area"
+    std::string_view measure_unit;  ///< "m^2"
+    std::string_view moment_unit;   ///< "m^4": of the second moment of the measure
+    std::string_view balls;         ///< "circles"
+    std::string_view files;         ///< endings of the files that shapes are read from
+};
+
+/// A generator as a list of them shows it.
+struct GeneratorNote {
+    std::string name;
+    std::string usage;
+    std::string description;
+};
+
+/// Shapes of the plane and their trees.
+struct PlaneShapes {
+    using Shape = lod2d::Shape;
+    using Settings = lod2d::TreeSettings;
+    using Border = lod2d::BoundaryIndex;
+
+    static constexpr Words words{"area", "m^2", "m^4", "circles", "svg"};
+
+    /// A drawing, "text:R" or a generator. Throws lod::Error as lod2d::load_shape does, and for a
+    /// mesh.
+    [[nodiscard]] static Shape named(const std::string& spec, const ShapeChoice& choice);
+    /// Throws lod::Error (usage) for an unknown builder.
+    [[nodiscard]] static Settings settings(const TreeChoice& choice);
+    [[nodiscard]] static lod::SphereTree<2> build(const Shape& shape, const Settings& settings);
+    [[nodiscard]] static lod::TreeReport report(const Shape& shape, const lod::SphereTree<2>& tree);
+
+    [[nodiscard]] static double measure(const Shape& shape) { return shape.area; }
+    /// About the centre of mass; times the density: the inertia.
+    [[nodiscard]] static lod::Inertia<2> second_moment(const Shape& shape);
+    /// What was done to the source to make a shape of it, and what is not exact: a line each.
+    [[nodiscard]] static std::vector<std::string> remarks(const Shape& shape);
+    [[nodiscard]] static bool is_approximate(const Shape&) { return false; }
+
+    [[nodiscard]] static Border border_of(const Shape& shape);
+    /// Whether the posed shapes share a point.
+    [[nodiscard]] static bool touch(const Border& a, const lod::Body<2>& body_a, const Border& b,
+                                    const lod::Body<2>& body_b);
+
+    [[nodiscard]] static std::vector<GeneratorNote> generators();
+    [[nodiscard]] static std::vector<std::string_view> builders();  ///< the default first
+};
+
+/// Shapes of space and their trees.
+struct SpaceShapes {
+    using Shape = lod3d::Solid;
+    using Settings = lod3d::SphereTreeSettings;
+    struct Border {
+        lod3d::MeshDistance distance;
+        std::vector<lod3d::Point> of_parts;  ///< a point of each connected part, body frame
+    };
+
+    static constexpr Words words{"volume", "m^3", "m^5", "spheres",
+                                 "obj, ply, stl, off, 3ds, gltf, glb"};
+
+    /// A mesh file or a generator. Throws lod::Error as lod3d::load_mesh, lod3d::make_solid and
+    /// lod3d::solid_from_spec do, and for a drawing or a text.
+    [[nodiscard]] static Shape named(const std::string& spec, const ShapeChoice& choice);
+    [[nodiscard]] static Settings settings(const TreeChoice& choice);
+    [[nodiscard]] static lod::SphereTree<3> build(const Shape& shape, const Settings& settings);
+    [[nodiscard]] static lod::TreeReport report(const Shape& shape, const lod::SphereTree<3>& tree);
+
+    [[nodiscard]] static double measure(const Shape& shape) { return shape.volume; }
+    [[nodiscard]] static lod::Inertia<3> second_moment(const Shape& shape);
+    [[nodiscard]] static std::vector<std::string> remarks(const Shape& shape);
+    [[nodiscard]] static bool is_approximate(const Shape& shape) { return shape.approximate; }
+
+    [[nodiscard]] static Border border_of(const Shape& shape);
+    [[nodiscard]] static bool touch(const Border& a, const lod::Body<3>& body_a, const Border& b,
+                                    const lod::Body<3>& body_b);
+
+    [[nodiscard]] static std::vector<GeneratorNote> generators();
+    [[nodiscard]] static std::vector<std::string_view> builders();
+};
+
+/// The table of types: all that scenes and the program must know to treat the plane and space by
+/// one code.
+template <int Dim>
+using Shapes = std::tuple_element_t<Dim - 2, std::tuple<PlaneShapes, SpaceShapes>>;
+template <int Dim>
+using Shape = typename Shapes<Dim>::Shape;
+
+/// 2 or 3, by what the shape's name says: a mesh, or a generator that only space has, is of space.
+[[nodiscard]] int dimension_of(const std::string& spec);
+
+}  // namespace scenes

@@ -1,0 +1,143 @@
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "lod2d/load.hpp"
+#include "lod3d/generators.hpp"
+#include "lod3d/intersect.hpp"
+#include "lod3d/load_mesh.hpp"
+#include "scenes/places.hpp"
+#include "scenes/raise.hpp"
+#include "scenes/shapes.hpp"
+
+namespace scenes {
+namespace {
+
+lod3d::ImportLimits limits_raised(double factor) {
+    lod3d::ImportLimits limits;
+    raise(limits.most_bytes, factor);
+    raise(limits.most_triangles, factor);
+    raise(limits.most_memory, factor);
+    raise(limits.most_seconds, factor);
+    return limits;
+}
+
+bool is_generator(const std::string& spec) {
+    return lod::find_generator(lod3d::solid_generators(), spec) != nullptr;
+}
+
+/// The shape's triangles in the frame of their source.
+lod3d::Mesh mesh_of(const std::string& spec, double raise_limits) {
+    if (is_generator(spec)) return lod::make_from_spec(lod3d::solid_generators(), spec);
+    if (looks_like_file(spec) && ending_of(spec) != "svg")
+        return lod3d::load_mesh(in_package(spec) ? package_file(spec).string() : spec,
+                                limits_raised(raise_limits));
+    if (lod2d::names_shape(spec))
+        throw lod::Error(lod::ErrorKind::usage,
+                         spec + " is a shape of the plane, and this is space; name a mesh (" +
+                             std::string(SpaceShapes::words.files) +
+                             ") or a generator of space, which lodlab tree --list shows");
+    return lod::make_from_spec(lod3d::solid_generators(), spec);  // throws with the names there are
+}
+
+lod3d::Pose pose_of(const lod::Body<3>& body) {
+    return {lod::Space<3>::rotation(body.orientation), body.position};
+}
+
+/// Whether a point of some part of one body lies inside the other.
+bool any_inside(const SpaceShapes::Border& a, const lod::Body<3>& body_a,
+                const SpaceShapes::Border& b, const lod::Body<3>& body_b) {
+    const lod3d::Pose from = pose_of(body_a);
+    const lod3d::Pose to = pose_of(body_b);
+    return std::any_of(a.of_parts.begin(), a.of_parts.end(), [&](const lod3d::Point& p) {
+        return b.distance.inside(to.rotation.transpose() * (from.carry(p) - to.position));
+    });
+}
+
+}  // namespace
+
+SpaceShapes::Shape SpaceShapes::named(const std::string& spec, const ShapeChoice& choice) {
+    lod3d::Mesh mesh = mesh_of(spec, choice.raise_limits);
+    if (choice.size && !mesh.vertices.empty()) {
+        lod3d::check_numbers(mesh);
+        const lod3d::Box box = lod3d::bounding_box(mesh);
+        const double side = (box.high - box.low).maxCoeff();
+        if (side > 0)
+            for (lod3d::Point& p : mesh.vertices) p *= *choice.size / side;
+    }
+    const std::string name =
+        is_generator(spec) ? spec : std::filesystem::path(spec).stem().string();
+    lod3d::SolidOptions options;
+    options.fill = choice.fill;
+    return lod3d::make_solid(name, std::move(mesh), options);
+}
+
+SpaceShapes::Settings SpaceShapes::settings(const TreeChoice& choice) {
+    Settings settings;
+    if (!choice.builder.empty()) settings.builder = lod3d::solid_builder_named(choice.builder);
+    if (choice.branching) settings.branching = *choice.branching;
+    if (choice.depth) settings.depth = *choice.depth;
+    if (choice.error) settings.least_protrusion = *choice.error;
+    if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
+    return settings;
+}
+
+lod::SphereTree<3> SpaceShapes::build(const Shape& shape, const Settings& settings) {
+    return lod3d::build_sphere_tree(shape, settings);
+}
+
+lod::TreeReport SpaceShapes::report(const Shape& shape, const lod::SphereTree<3>& tree) {
+    return lod3d::report_sphere_tree(shape, tree);
+}
+
+lod::Inertia<3> SpaceShapes::second_moment(const Shape& shape) {
+    return shape.second_moment;
+}
+
+std::vector<std::string> SpaceShapes::remarks(const Shape& shape) {
+    std::vector<std::string> lines;
+    for (const std::string& line : shape.mended) lines.push_back(shape.name + ": " + line);
+    if (shape.approximate)
+        lines.push_back(shape.name + ": volume, centre and inertia are approximate");
+    return lines;
+}
+
+SpaceShapes::Border SpaceShapes::border_of(const Shape& shape) {
+    Border border{lod3d::MeshDistance(shape.mesh, shape.inside_rule), {}};
+    const lod3d::Parts parts = lod3d::find_parts(shape.mesh);
+    std::vector<bool> seen(static_cast<std::size_t>(parts.count), false);
+    for (std::size_t t = 0; t < shape.mesh.triangles.size(); ++t) {
+        const auto part = static_cast<std::size_t>(parts.of_triangle[t]);
+        if (!seen[part]) border.of_parts.push_back(shape.mesh.corner(t, 0));
+        seen[part] = true;
+    }
+    return border;
+}
+
+bool SpaceShapes::touch(const Border& a, const lod::Body<3>& body_a, const Border& b,
+                        const lod::Body<3>& body_b) {
+    return lod3d::surfaces_intersect(a.distance.tree(), pose_of(body_a), b.distance.tree(),
+                                     pose_of(body_b)) ||
+           any_inside(a, body_a, b, body_b) || any_inside(b, body_b, a, body_a);
+}
+
+std::vector<GeneratorNote> SpaceShapes::generators() {
+    std::vector<GeneratorNote> notes;
+    for (const auto& one : lod3d::solid_generators())
+        notes.push_back({std::string(one.name), lod::generator_usage(one.name, one.parameters),
+                         std::string(one.description)});
+    return notes;
+}
+
+std::vector<std::string_view> SpaceShapes::builders() {
+    std::vector<std::string_view> names{lod3d::name_of(Settings{}.builder)};
+    for (const lod3d::SolidBuilder builder : lod3d::solid_builders())
+        if (builder != Settings{}.builder) names.push_back(lod3d::name_of(builder));
+    return names;
+}
+
+int dimension_of(const std::string& spec) {
+    if (looks_like_file(spec)) return lod3d::is_mesh_format(ending_of(spec)) ? 3 : 2;
+    return is_generator(spec) && !lod2d::names_shape(spec) ? 3 : 2;
+}
+
+}  // namespace scenes
