@@ -7,18 +7,18 @@ namespace {
 constexpr Command table[] = {
     {"tree", "Build, check, measure, draw and export the circle or sphere tree of a shape",
      "lodlab tree gear:9 --depth 4 --out gear.png --json",
-     "[SHAPE] --list --dim --size --fill --builder --branching --depth --nodes --error --exported-level "
-     "--out --raise-limits --theme --quality --json", run_tree},
+     "[SHAPE] --list --dim --size --fill --builder --branching --depth --nodes --error --effort --exported-level "
+     "--out --no-cache --raise-limits --theme --quality --json", run_tree},
     {"collide", "One instant: intersecting nodes of each level, contacts, verdict",
      "lodlab collide offset_boxes --level 3 --out traversal.svg",
-     "SCENE --at --level --out --raise-limits --theme --quality --json", run_collide},
+     "SCENE --at --level --out --no-cache --raise-limits --theme --quality --json", run_collide},
     {"simulate", "Run a scene under a level or a budget: video, strip, plot, trace",
      "lodlab simulate figure9 --level 2 --out strip.png --out run.mp4 --json",
      "SCENE --level --budget --milliseconds --duration --response --point-model --strip --plot "
-     "--out --trace --replay --raise-limits --theme --quality --json", run_simulate},
+     "--out --trace --replay --no-cache --raise-limits --theme --quality --json", run_simulate},
     {"figure", "A figure of the paper, from running code: 1, 2, 3, 4 or 9",
      "lodlab figure 9 --out figure-9.png --out figure-9.mp4",
-     "FIGURE --out --theme --quality", run_figure},
+     "FIGURE --out --no-cache --theme --quality", run_figure},
     {"lesson", "List the lessons, or step through one, forwards and backwards",
      "lodlab lesson 3 --out pictures", "[LESSON] --pictures --theme", run_lesson},
     {"book", "Write the lessons as web pages that need no network",

@@ -26,7 +26,9 @@ struct Options {
     std::optional<double> error;        ///< of a tree, share of the root's diameter
     std::optional<std::int64_t> nodes;  ///< of a tree, at most
     std::optional<int> dim;             ///< 2 or 3; nothing: as the shape says
-    bool fill = false;                  ///< open meshes, by winding number
+    std::optional<double> effort;       ///< of the search for spheres
+    bool no_cache = false;
+    bool fill = false;  ///< open meshes, by winding number
     bool list = false;
 
     std::optional<int> level;

@@ -36,6 +36,10 @@ const lod::Clock& steady_clock() {
 
 }  // namespace
 
+io::TreeCache cache_of(const Options& options) {
+    return options.no_cache ? io::TreeCache() : io::TreeCache::of_user();
+}
+
 scenes::Scene scene_of(const Options& options) {
     scenes::Scene scene = scenes::load_scene(scenes::scene_file(options.scene));
     override_limits(options, scene.limits);
@@ -50,6 +54,7 @@ scenes::Setup<Dim> stage(const scenes::Scene& scene, const Options& options) {
     ProgressBar bar("Building the trees");
     scenes::SetupOptions how;
     how.raise_limits = options.raise_limits;
+    how.cache = cache_of(options);
     how.progress = [&](double share) { bar.show(share); };
     scenes::Setup<Dim> setup = scenes::set_up<Dim>(scene, how);
     for (const std::string& warning : setup.warnings) remark(warning);

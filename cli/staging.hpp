@@ -6,6 +6,9 @@
 
 namespace cli {
 
+/// The user's cache of trees, unless the options say no.
+[[nodiscard]] io::TreeCache cache_of(const Options& options);
+
 /// The scene that the options name, with what the options override.
 [[nodiscard]] scenes::Scene scene_of(const Options& options);
 

@@ -6,6 +6,7 @@
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
 #include "cli/progress.hpp"
+#include "cli/staging.hpp"
 #include "core/error.hpp"
 #include "core/output_file.hpp"
 #include "io/tree_json.hpp"
@@ -114,26 +115,27 @@ void add_sphere_exports(const lod2d::Shape&, const lod::SphereTree<2>&, const Op
                         std::vector<Export>&) {}
 
 template <int Dim>
-std::shared_ptr<const lod::SphereTree<Dim>> tree_of(const scenes::Shape<Dim>& shape,
-                                                    const scenes::TreeChoice& choice) {
+std::shared_ptr<const lod::SphereTree<Dim>> built(const scenes::Shape<Dim>& shape,
+                                                  const scenes::TreeChoice& choice,
+                                                  const io::TreeCache& cache) {
     auto settings = scenes::Shapes<Dim>::settings(choice);
     ProgressBar bar("Building the tree");
     settings.progress = [&](double share) { bar.show(share); };
     return std::make_shared<const lod::SphereTree<Dim>>(
-        scenes::Shapes<Dim>::build(shape, settings));
+        scenes::tree_of<Dim>(shape, settings, cache));
 }
 
 template <int Dim>
 void tree(const Options& options) {
     using Shapes = scenes::Shapes<Dim>;
     const scenes::TreeChoice choice{options.builder, options.branching, options.depth,
-                                    options.error, options.nodes};
+                                    options.error,   options.nodes,     options.effort};
     static_cast<void>(Shapes::settings(choice));  // throws for an unknown builder
     const scenes::Shape<Dim> shape =
         Shapes::named(options.shape, {options.size, options.fill, options.raise_limits});
     for (const std::string& line : Shapes::remarks(shape)) remark(line);
     lod::Body<Dim> body;
-    body.tree = tree_of<Dim>(shape, choice);
+    body.tree = built<Dim>(shape, choice, cache_of(options));
     Drawing drawing;
     drawing.figure = [&] { return viz::tree_levels<Dim>({look_of<Dim>(shape, shape.name), body}); };
     add_sphere_exports(shape, *body.tree, options, drawing.exports);

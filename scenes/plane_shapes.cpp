@@ -49,11 +49,33 @@ PlaneShapes::Settings PlaneShapes::settings(const TreeChoice& choice) {
     if (choice.depth) settings.depth = *choice.depth;
     if (choice.error) settings.least_protrusion = *choice.error;
     if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
+    if (choice.effort)
+        throw lod::Error(lod::ErrorKind::usage,
+                         "only the builder cover of sphere trees has an effort; drop it");
     return settings;
 }
 
 lod::SphereTree<2> PlaneShapes::build(const Shape& shape, const Settings& settings) {
     return lod2d::build_tree(shape, settings);
+}
+
+void PlaneShapes::identify(const Shape& shape, const Settings& settings, io::Sha256& key) {
+    key.add(static_cast<int>(shape.polygon.rings.size()));
+    for (const lod2d::Ring& ring : shape.polygon.rings) {
+        key.add(static_cast<int>(ring.size()));
+        for (const lod2d::Point& point : ring)
+            for (const double coordinate : point) key.add(coordinate);
+    }
+    // Names every setting, so that a new one does not compile until it is here.
+    const auto& [builder, branching, depth, least_protrusion, most_nodes, normal_weight, progress] =
+        settings;
+    static_cast<void>(progress);
+    key.add(lod2d::builder_name(builder));
+    key.add(branching);
+    key.add(depth);
+    key.add(least_protrusion);
+    key.add(most_nodes);
+    key.add(normal_weight);
 }
 
 lod::TreeReport PlaneShapes::report(const Shape& shape, const lod::SphereTree<2>& tree) {

@@ -40,15 +40,16 @@ typename Stock<Dim>::SharedShape shape_of(const BodySpec& spec, double raise_lim
 }
 
 template <int Dim>
-typename Stock<Dim>::SharedTree tree_of(const BodySpec& spec, const Shape<Dim>& shape,
-                                        const std::function<void(double)>& progress,
-                                        Stock<Dim>& stock) {
-    const TreeChoice choice{spec.builder, spec.branching, spec.depth, {}, {}};
+typename Stock<Dim>::SharedTree shared_tree(const BodySpec& spec, const Shape<Dim>& shape,
+                                            const io::TreeCache& cache,
+                                            const std::function<void(double)>& progress,
+                                            Stock<Dim>& stock) {
+    const TreeChoice choice{spec.builder, spec.branching, spec.depth, {}, {}, {}};
     auto& tree = stock.trees[{&shape, choice}];
     if (!tree) {
         auto settings = Shapes<Dim>::settings(choice);
         settings.progress = progress;
-        tree = std::make_shared<const lod::SphereTree<Dim>>(Shapes<Dim>::build(shape, settings));
+        tree = std::make_shared<const lod::SphereTree<Dim>>(tree_of<Dim>(shape, settings, cache));
     }
     return tree;
 }
@@ -140,8 +141,8 @@ Setup<Dim> set_up(const Scene& scene, const SetupOptions& options) {
         try {
             setup.shapes.push_back(shape_of(spec, options.raise_limits, stock, setup.warnings));
             const Shape<Dim>& shape = *setup.shapes.back();
-            setup.bodies.push_back(
-                body_of<Dim>(spec, shape, tree_of(spec, shape, progress, stock)));
+            setup.bodies.push_back(body_of<Dim>(
+                spec, shape, shared_tree(spec, shape, options.cache, progress, stock)));
         } catch (const lod::Error& error) {
             // A shape that is misspelt in a file is input that is refused, not wrong usage.
             const auto kind = error.kind() == lod::ErrorKind::usage ? lod::ErrorKind::input_refused

@@ -24,6 +24,7 @@ struct Setup {
 
 struct SetupOptions {
     double raise_limits = 1;  ///< factor of the limits on the size of shape files, >= 1
+    io::TreeCache cache{};    ///< where trees that were built before are found
     std::function<void(double share)> progress{};  ///< 0 to 1, never decreasing
 };
 

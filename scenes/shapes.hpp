@@ -8,6 +8,8 @@
 
 #include "core/body.hpp"
 #include "core/builder/tree_report.hpp"
+#include "io/sha256.hpp"
+#include "io/tree_cache.hpp"
 #include "lod2d/build_tree.hpp"
 #include "lod2d/distance.hpp"
 #include "lod3d/distance.hpp"
@@ -33,6 +35,8 @@ struct TreeChoice {
     std::optional<double> error;
     std::optional<std::int64_t>
         most_nodes;  ///< levels that would take the tree beyond are left out
+
+    std::optional<double> effort;  ///< of the search for spheres; 1: the usual one
 
     friend auto operator<=>(const TreeChoice&, const TreeChoice&) = default;
 };
@@ -67,6 +71,8 @@ struct PlaneShapes {
     /// Throws lod::Error (usage) for an unknown builder.
     [[nodiscard]] static Settings settings(const TreeChoice& choice);
     [[nodiscard]] static lod::SphereTree<2> build(const Shape& shape, const Settings& settings);
+    /// Adds all that decides the tree: the geometry, every setting.
+    static void identify(const Shape& shape, const Settings& settings, io::Sha256& key);
     [[nodiscard]] static lod::TreeReport report(const Shape& shape, const lod::SphereTree<2>& tree);
 
     [[nodiscard]] static double measure(const Shape& shape) { return shape.area; }
@@ -102,6 +108,7 @@ struct SpaceShapes {
     [[nodiscard]] static Shape named(const std::string& spec, const ShapeChoice& choice);
     [[nodiscard]] static Settings settings(const TreeChoice& choice);
     [[nodiscard]] static lod::SphereTree<3> build(const Shape& shape, const Settings& settings);
+    static void identify(const Shape& shape, const Settings& settings, io::Sha256& key);
     [[nodiscard]] static lod::TreeReport report(const Shape& shape, const lod::SphereTree<3>& tree);
 
     [[nodiscard]] static double measure(const Shape& shape) { return shape.volume; }
@@ -123,6 +130,22 @@ template <int Dim>
 using Shapes = std::tuple_element_t<Dim - 2, std::tuple<PlaneShapes, SpaceShapes>>;
 template <int Dim>
 using Shape = typename Shapes<Dim>::Shape;
+
+/// A hash of the trees that the builders make of a few shapes (tests/scenes/builders.cpp computes
+/// it and fails when it is another one): trees in the cache are of this version of the builders.
+inline constexpr std::string_view builders_version = "unknown";
+
+/// The tree of a shape, from the cache where it was built before.
+template <int Dim>
+[[nodiscard]] lod::SphereTree<Dim> tree_of(const Shape<Dim>& shape,
+                                           const typename Shapes<Dim>::Settings& settings,
+                                           const io::TreeCache& cache) {
+    io::Sha256 key;
+    key.add(builders_version);
+    key.add(Dim);
+    Shapes<Dim>::identify(shape, settings, key);
+    return cache.tree<Dim>(key.hexadecimal(), [&] { return Shapes<Dim>::build(shape, settings); });
+}
 
 /// 2 or 3, by what the shape's name says: a mesh, or a generator that only space has, is of space.
 [[nodiscard]] int dimension_of(const std::string& spec);

@@ -78,11 +78,32 @@ SpaceShapes::Settings SpaceShapes::settings(const TreeChoice& choice) {
     if (choice.depth) settings.depth = *choice.depth;
     if (choice.error) settings.least_protrusion = *choice.error;
     if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
+    if (choice.effort) settings.effort = *choice.effort;
     return settings;
 }
 
 lod::SphereTree<3> SpaceShapes::build(const Shape& shape, const Settings& settings) {
     return lod3d::build_sphere_tree(shape, settings);
+}
+
+void SpaceShapes::identify(const Shape& shape, const Settings& settings, io::Sha256& key) {
+    key.add(static_cast<int>(shape.inside_rule));
+    key.add(static_cast<int>(shape.mesh.vertices.size()));
+    for (const lod3d::Point& point : shape.mesh.vertices)
+        for (const double coordinate : point) key.add(coordinate);
+    key.add(static_cast<int>(shape.mesh.triangles.size()));
+    for (const lod3d::Triangle& triangle : shape.mesh.triangles)
+        for (const std::int32_t corner : triangle) key.add(corner);
+    // Names every setting, so that a new one does not compile until it is here.
+    const auto& [builder, branching, depth, least_protrusion, effort, most_nodes, progress] =
+        settings;
+    static_cast<void>(progress);
+    key.add(lod3d::name_of(builder));
+    key.add(branching);
+    key.add(depth);
+    key.add(least_protrusion);
+    key.add(effort);
+    key.add(most_nodes);
 }
 
 lod::TreeReport SpaceShapes::report(const Shape& shape, const lod::SphereTree<3>& tree) {

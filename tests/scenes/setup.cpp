@@ -94,6 +94,7 @@ static = true
 TEST_CASE("a solid has its exact mass and inertia") {
     const auto setup = staged<3>(R"(
 dim = 3
+builder = "octree"
 depth = 0
 density = 3
 [[body]]
@@ -116,6 +117,7 @@ mass = 12
 TEST_CASE("a body in space is turned about its axis by the right hand") {
     const auto setup = staged<3>(R"(
 dim = 3
+builder = "octree"
 depth = 0
 [[body]]
 shape = "L"
@@ -137,7 +139,10 @@ position = [5, 0, 0]
 
 TEST_CASE("solids that touch, or lie one in the other, at the start are reported") {
     const auto warnings = [](const std::string& second) {
-        return staged<3>("dim = 3\ndepth = 0\n[[body]]\nshape = \"box:1,1,1\"\n[[body]]\n" + second)
+        return staged<3>(
+                   "dim = 3\nbuilder = \"octree\"\ndepth = 0\n[[body]]\nshape = "
+                   "\"box:1,1,1\"\n[[body]]\n" +
+                   second)
             .warnings.size();
     };
     CHECK(warnings("shape = \"box:1,1,1\"\nposition = [0.9, 0.9, 0.9]\n") == 1);
