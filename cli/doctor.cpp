@@ -72,6 +72,8 @@ std::vector<Finding> examine() {
         {"scenes", "simulate and figure by name", true, scenes_if_there(), ""},
         {"openclipart", "thousands of shapes to try", false,
          folder_if_there("/usr/share/openclipart/svg"), "openclipart-svg"},
+        {"glmark2-data", "real meshes: the bunny of the figures in space", false,
+         folder_if_there("/usr/share/glmark2/models"), "glmark2-data"},
         {"chafa", "pictures of a lesson in the terminal", false, in_path("chafa"), "chafa"},
     };
 }

@@ -7,7 +7,6 @@
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
 #include "core/error.hpp"
-#include "lod2d/build_tree.hpp"
 #include "viz/draw_contacts.hpp"
 #include "viz/draw_motion.hpp"
 #include "viz/draw_strip.hpp"
@@ -17,21 +16,49 @@
 namespace cli {
 namespace {
 
-/// A scene that comes with lodlab, with the options of the command line that concern it.
+/// What the figures show in each dimension: scenes that come with lodlab.
+struct Cast {
+    const char* tree;          ///< its first body
+    const char* apart;         ///< two bodies whose trees prove that they are
+    const char* face;          ///< a box above a floor
+    const char* face_builder;  ///< puts its nodes evenly along a face
+    const char* collision;
+};
+constexpr std::array<Cast, 2> casts{{
+    {"figure9", "near_miss", "box_falls_flat", "pieces", "figure9"},
+    {"two_bunnies", "near_miss_in_space", "cube_falls_flat", "octree", "two_bunnies"},
+}};
+constexpr const char* without_package = "knot_meets_ring";
+
+template <int Dim>
+constexpr const Cast& cast = casts[Dim - 2];
+
+/// A scene that comes with lodlab, with the options of the command line that concern it. Where its
+/// package is missing, one of generators takes its place.
 template <int Dim>
 scenes::Setup<Dim> stage_named(const std::string& name, const Options& options) {
     Options staged = options;
     staged.scene = name;
+    try {
+        return stage<Dim>(scene_of(staged), options);
+    } catch (const lod::Error& error) {
+        if (error.kind() != lod::ErrorKind::not_installed) throw;
+        remark(std::string(error.what()) + "; drawing the scene " + without_package +
+               " in place of " + name);
+    }
+    staged.scene = without_package;
     return stage<Dim>(scene_of(staged), options);
 }
 
 /// Figure 1: the tree of a real shape, level by level.
+template <int Dim>
 Drawing tree_of_a_shape(const Options& options) {
-    scenes::Setup<2> setup = stage_named<2>("figure9", options);
-    setup.bodies[0].orientation = 0;
+    scenes::Setup<Dim> setup = stage_named<Dim>(cast<Dim>.tree, options);
+    setup.bodies[0].orientation = lod::Space<Dim>::unturned();
     Drawing drawing;
     drawing.figure = [setup] {
-        viz::Figure figure = viz::tree_levels(actor_of(setup, setup.bodies, 0), {0, 1, 2, 3});
+        viz::Figure figure =
+            viz::tree_levels<Dim>(actor_of<Dim>(setup, setup.bodies, 0), {0, 1, 2, 3});
         figure.columns = 2;
         return figure;
     };
@@ -39,31 +66,36 @@ Drawing tree_of_a_shape(const Options& options) {
 }
 
 /// Figure 2: two trees, level by level, until they prove to be apart.
+template <int Dim>
 Drawing traversal_to_apart(const Options& options) {
-    const scenes::Setup<2> setup = stage_named<2>("near_miss", options);
-    const Instant<2> instant = instant_of(setup, options);
+    const scenes::Setup<Dim> setup = stage_named<Dim>(cast<Dim>.apart, options);
+    const Instant<Dim> instant = instant_of(setup, options);
     Drawing drawing;
     drawing.figure = [setup, instant] {
-        return viz::traversal(actor_of(setup, instant.bodies, 0),
-                              actor_of(setup, instant.bodies, 1),
-                              lod::traverse_levels(instant.bodies[0], instant.bodies[1]));
+        return viz::traversal<Dim>(actor_of<Dim>(setup, instant.bodies, 0),
+                                   actor_of<Dim>(setup, instant.bodies, 1),
+                                   lod::traverse_levels(instant.bodies[0], instant.bodies[1]), {},
+                                   viewpoint_of<Dim>(setup.scene));
     };
     return drawing;
 }
 
-/// Figure 3: a face meets a face, as ever more contacts of circles.
+/// Figure 3: a face meets a face, as ever more contacts of circles or spheres.
+template <int Dim>
 Drawing contacts_of_a_face(const Options& options) {
-    scenes::Setup<2> setup = stage_named<2>("box_falls_flat", options);
-    setup.bodies[0].position = {0, 0.5};                   // the faces just touch
-    for (std::size_t i = 0; i < setup.bodies.size(); ++i)  // circles evenly along a face
-        setup.bodies[i].tree = std::make_shared<lod::SphereTree<2>>(
-            lod2d::build_tree(*setup.shapes[i], {.builder = lod2d::Builder::pieces}));
+    scenes::Setup<Dim> setup = stage_named<Dim>(cast<Dim>.face, options);
+    setup.bodies[0].position = 0.5 * lod::Vector<Dim>::Unit(1);  // the faces just touch
+    const auto settings =
+        scenes::Shapes<Dim>::settings({cast<Dim>.face_builder, {}, {}, {}, {}, {}});
+    for (std::size_t i = 0; i < setup.bodies.size(); ++i)
+        setup.bodies[i].tree = std::make_shared<lod::SphereTree<Dim>>(
+            scenes::tree_of<Dim>(*setup.shapes[i], settings, cache_of(options)));
     Drawing drawing;
     drawing.figure = [setup] {
-        viz::Figure figure = viz::contacts_by_level(
-            actor_of(setup, setup.bodies, 0), actor_of(setup, setup.bodies, 1),
+        viz::Figure figure = viz::contacts_by_level<Dim>(
+            actor_of<Dim>(setup, setup.bodies, 0), actor_of<Dim>(setup, setup.bodies, 1),
             lod::traverse_levels(setup.bodies[0], setup.bodies[1]), lod::PointModel::radius_ratio,
-            {0, 1, 2, 3});
+            {0, 1, 2, 3}, viewpoint_of<Dim>(setup.scene));
         figure.columns = 2;
         return figure;
     };
@@ -82,43 +114,53 @@ Drawing point_and_normal(const Options&) {
 }
 
 /// Figure 9: one collision of two real shapes, interrupted at levels 1, 2 and 3.
+template <int Dim>
 Drawing strips_of_a_collision(const Options& options) {
-    scenes::Setup<2> setup = stage_named<2>("figure9", options);
-    std::vector<viz::Run<2>> runs;
+    scenes::Setup<Dim> setup = stage_named<Dim>(cast<Dim>.collision, options);
+    std::vector<viz::Run<Dim>> runs;
     for (const int level : {1, 2, 3}) {
         const std::string name = "Level " + std::to_string(level);
         setup.scene.limits = {level, {}, {}};
         runs.push_back(seen(setup, play(setup, options, name), name));
     }
+    const auto viewpoint = viewpoint_of<Dim>(setup.scene);
     Drawing drawing;
-    drawing.figure = [runs] { return viz::strips(runs); };
-    drawing.animation = [runs] { return viz::impact_motion(runs); };
+    drawing.figure = [runs, viewpoint] { return viz::strips<Dim>(runs, {}, viewpoint); };
+    drawing.animation = [runs, viewpoint] { return viz::impact_motion<Dim>(runs, {}, viewpoint); };
     return drawing;
 }
 
+using Draw = Drawing (*)(const Options& options);
 struct Numbered {
     int number;
     bool has_video;
-    Drawing (*draw)(const Options& options);
+    Draw in_plane;
+    Draw in_space;  ///< null: there is none
 };
-constexpr std::array<Numbered, 5> figures{{{1, false, tree_of_a_shape},
-                                           {2, false, traversal_to_apart},
-                                           {3, false, contacts_of_a_face},
-                                           {4, false, point_and_normal},
-                                           {9, true, strips_of_a_collision}}};
+constexpr std::array<Numbered, 5> figures{{
+    {1, false, tree_of_a_shape<2>, tree_of_a_shape<3>},
+    {2, false, traversal_to_apart<2>, traversal_to_apart<3>},
+    {3, false, contacts_of_a_face<2>, contacts_of_a_face<3>},
+    {4, false, point_and_normal, nullptr},
+    {9, true, strips_of_a_collision<2>, strips_of_a_collision<3>},
+}};
 
 }  // namespace
 
 void run_figure(const Options& options) {
     for (const Numbered& figure : figures) {
         if (figure.number != options.number) continue;
+        const Draw draw = options.dim == 3 ? figure.in_space : figure.in_plane;
+        if (draw == nullptr)
+            throw lod::Error(lod::ErrorKind::usage, "figure " + std::to_string(figure.number) +
+                                                        " is the same in space; leave --dim 3 out");
         check_outputs(options, {.video = figure.has_video});
         Options named = options;
         if (named.out.empty()) {
             named.out = {"figure-" + std::to_string(figure.number) + ".png"};
             remark("writing " + named.out.front() + "; name other files by --out");
         }
-        return write_outputs(named, figure.draw(named));
+        return write_outputs(named, draw(named));
     }
     throw lod::Error(lod::ErrorKind::usage, "there is no figure " +
                                                 std::to_string(*options.number) +

@@ -60,7 +60,7 @@ const Row rows[] = {
     {"--builder", [](CLI::App& a, Options& o) { a.add_option("--builder", o.builder, "builder of the tree; tree --list names them"); }},
     {"--branching", [](CLI::App& a, Options& o) { a.add_option("--branching", o.branching, "most children of a node")->check(range(2, 64)); }},
     {"--depth", [](CLI::App& a, Options& o) { a.add_option("--depth", o.depth, "levels below the root")->check(range(0, 12)); }},
-    {"--dim", [](CLI::App& a, Options& o) { a.add_option("--dim", o.dim, "2: the plane, 3: space; without it as the shape says, the plane where both have it")->check(range(2, 3)); }},
+    {"--dim", [](CLI::App& a, Options& o) { a.add_option("--dim", o.dim, "2: the plane, 3: space; without it as the shape says, else the plane")->check(range(2, 3)); }},
     {"--fill", [](CLI::App& a, Options& o) { a.add_flag("--fill", o.fill, "take an open mesh, filled by winding number; its inertia is approximate"); }},
     {"--nodes", [](CLI::App& a, Options& o) { a.add_option("--nodes", o.nodes, "most nodes: levels that would take the tree beyond are left out")->check(range(1, most_tests)); }},
     {"--error", [](CLI::App& a, Options& o) { a.add_option("--error", o.error, "target: a node that stands out of the shape by no more than this share of the root's diameter is not divided")->check(range(0, 1)); }},

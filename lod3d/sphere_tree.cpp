@@ -20,6 +20,8 @@ lod::SphereTree<3> grow_cover(const Solid& solid, const MeshPiece& whole,
                               double effort) {
     constexpr int field_cells = 64;
     const lod::Sphere<3> root = lod::root_ball<3>(whole);
+    if (limits.depth == 0)  // nothing to search for
+        return lod::lay_out<3>(std::array{lod::TreeNode<3>{root, lod::mean_normal<3>(whole), {}}});
     const DistanceField field(distance, bounding_box(solid.mesh), field_cells);
     BallFitSettings fit;
     fit.quick = lod::scaled(fit.quick, effort);

@@ -133,7 +133,8 @@ using Shape = typename Shapes<Dim>::Shape;
 
 /// A hash of the trees that the builders make of a few shapes (tests/scenes/builders.cpp computes
 /// it and fails when it is another one): trees in the cache are of this version of the builders.
-inline constexpr std::string_view builders_version = "unknown";
+inline constexpr std::string_view builders_version =
+    "876148058f920d4aaa5e2ae71bd54cd2a2782e7a2ff36738d7f1f28f2bb861c8";
 
 /// The tree of a shape, from the cache where it was built before.
 template <int Dim>

@@ -52,6 +52,9 @@ TEST_CASE("the results have exactly the documented keys") {
     check_keys("tree", result({"tree", "L", "--depth", "2", "--json"}));
     check_keys("collide", result({"collide", "offset_boxes", "--level", "2", "--json"}));
     check_keys("simulate", result({"simulate", "offset_boxes", "--json"}));
+    check_keys("tree", result({"tree", "box", "--dim", "3", "--builder", "octree", "--json"}));
+    check_keys("collide", result({"collide", "offset_balls", "--json"}));
+    check_keys("simulate", result({"simulate", "offset_balls", "--json"}));
     check_keys("doctor", result({"doctor", "--json"}));
 }
 

@@ -147,7 +147,8 @@ std::uint64_t end_of(const scenes::Scene& scene) {
 void add_scenes(Report& report) {
     for (const std::string& name : scenes::names()) {
         scenes::Scene scene = scenes::load_scene(scenes::scene_file(name));
-        for (scenes::BodySpec& body : scene.bodies) body.depth = 2;
+        for (scenes::BodySpec& body : scene.bodies)
+            body.depth = std::min(body.depth.value_or(2), 2);
         const bool from_package = std::any_of(
             scene.bodies.begin(), scene.bodies.end(),
             [](const scenes::BodySpec& body) { return scenes::in_package(body.shape); });
