@@ -88,6 +88,35 @@ CLI_INSTANTIATE(2)
 CLI_INSTANTIATE(3)
 #undef CLI_INSTANTIATE
 
+template <int Dim>
+viz::Figure framed(viz::Figure figure, const scenes::Scene& scene) {
+    if (!scene.camera || scene.camera->width == 0) return figure;
+    lod::Vector<Dim> centre;
+    for (int i = 0; i < Dim; ++i) centre[i] = scene.camera->centre[static_cast<std::size_t>(i)];
+    const double width = scene.camera->width;
+    const double height = width * 9 / 16;
+    for (viz::Panel& panel : figure.panels) {
+        if (panel.axes) continue;
+        const viz::Point middle = viz::Sight<Dim>::on(panel, centre);
+        panel.view = {{middle.x - width / 2, middle.y - height / 2},
+                      {middle.x + width / 2, middle.y + height / 2}};
+    }
+    return figure;
+}
+
+template <int Dim>
+viz::Animation framed(viz::Animation animation, const scenes::Scene& scene) {
+    if (!scene.camera) return animation;
+    for (viz::Shot& shot : animation.shots)
+        shot.draw = [draw = std::move(shot.draw), scene] { return framed<Dim>(draw(), scene); };
+    return animation;
+}
+
+template viz::Figure framed<2>(viz::Figure, const scenes::Scene&);
+template viz::Figure framed<3>(viz::Figure, const scenes::Scene&);
+template viz::Animation framed<2>(viz::Animation, const scenes::Scene&);
+template viz::Animation framed<3>(viz::Animation, const scenes::Scene&);
+
 void check_outputs(const Options& options, const Formats& formats) {
     std::vector<std::string> endings{"png", "svg", "pdf", "json"};
     if (formats.video) endings.insert(endings.end(), {"mp4", "webm", "gif"});

@@ -30,6 +30,12 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] typename viz::Sight<Dim>::Viewpoint viewpoint_of(const scenes::Scene& scene);
 
+/// The figure with its scenes seen by the scene's camera, where that says how much it sees.
+template <int Dim>
+[[nodiscard]] viz::Figure framed(viz::Figure figure, const scenes::Scene& scene);
+template <int Dim>
+[[nodiscard]] viz::Animation framed(viz::Animation animation, const scenes::Scene& scene);
+
 [[nodiscard]] viz::Theme theme_of(const Options& options);
 [[nodiscard]] viz::Quality quality_of(const Options& options);
 

@@ -119,31 +119,6 @@ viz::Animation film_of(const scenes::Setup<Dim>& setup, const viz::Run<Dim>& run
     return viz::impact_motion<Dim>({run}, choice, viewpoint);
 }
 
-/// The figure with its scenes seen by the scene's camera, where that says how much it sees.
-template <int Dim>
-viz::Figure framed(viz::Figure figure, const scenes::Scene& scene) {
-    if (!scene.camera || scene.camera->width == 0) return figure;
-    lod::Vector<Dim> centre;
-    for (int i = 0; i < Dim; ++i) centre[i] = scene.camera->centre[static_cast<std::size_t>(i)];
-    const double width = scene.camera->width;
-    const double height = width * 9 / 16;
-    for (viz::Panel& panel : figure.panels) {
-        if (panel.axes) continue;
-        const viz::Point middle = viz::Sight<Dim>::on(panel, centre);
-        panel.view = {{middle.x - width / 2, middle.y - height / 2},
-                      {middle.x + width / 2, middle.y + height / 2}};
-    }
-    return figure;
-}
-
-template <int Dim>
-viz::Animation framed(viz::Animation animation, const scenes::Scene& scene) {
-    if (!scene.camera) return animation;
-    for (viz::Shot& shot : animation.shots)
-        shot.draw = [draw = std::move(shot.draw), scene] { return framed<Dim>(draw(), scene); };
-    return animation;
-}
-
 }  // namespace
 
 template <int Dim>

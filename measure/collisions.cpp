@@ -119,13 +119,21 @@ std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
             after[i].velocity = next[i].velocity;
             after[i].spin = next[i].spin;
         }
-        std::set<std::pair<int, int>> pushed;
-        for (std::size_t c = 0; c < record.impacts.size(); ++c)
-            if (record.impulses[c] > 0) pushed.insert({record.impacts[c].a, record.impacts[c].b});
-        for (const auto& [a, b] : pushed)
-            log.add(static_cast<double>(k) * run.settings.time_step, a, b, before, after);
+        std::map<std::pair<int, int>, double> pushed;  // and when, from the frame's instant
+        for (std::size_t c = 0; c < record.impacts.size(); ++c) {
+            if (!(record.impulses[c] > 0)) continue;
+            const lod::PairRecord& pair = record.pairs[at(record.impacts[c].pair)];
+            pushed[{pair.bodies.a, pair.bodies.b}] =
+                pair.finest == lod::Finest::backtrack ? pair.impact_time : 0;
+        }
+        for (const auto& [pair, later] : pushed)
+            log.add(static_cast<double>(k) * run.settings.time_step + later, pair.first,
+                    pair.second, before, after);
     }
-    return log.collisions();
+    std::vector<Collision<Dim>> collisions = log.collisions();
+    std::stable_sort(collisions.begin(), collisions.end(),
+                     [](const auto& p, const auto& q) { return p.time < q.time; });
+    return collisions;
 }
 
 std::vector<Collision<2>> collisions_of(const lod2d::Box2dRun& run, const BodyShapes<2>& shapes,

@@ -50,10 +50,11 @@ class CollisionLog {
     explicit CollisionLog(const BodyShapes<Dim>& shapes, double pause = one_collision)
         : shapes_(shapes), pause_(pause) {}
 
-    /// One push, none before an earlier one; states of all bodies at that instant. Requires a != b.
+    /// One push, of its pair none before an earlier one; states of all bodies at that instant.
+    /// Requires a != b.
     void add(double time, int a, int b, std::span<const lod::Body<Dim>> before,
              std::span<const lod::Body<Dim>> after);
-    /// In order of their first pushes.
+    /// In the order in which their first pushes came.
     [[nodiscard]] const std::vector<Collision<Dim>>& collisions() const { return collisions_; }
 
   private:
@@ -62,9 +63,10 @@ class CollisionLog {
     std::vector<Collision<Dim>> collisions_;
 };
 
-/// The collisions of a run by lodlab, the bodies as they were at its start (for their masses). In
-/// space the velocity after a push is that of the next frame's beginning, which for a tumbling body
-/// differs by the free motion of one frame.
+/// The collisions of a run by lodlab in order of time, the bodies as they were at its start (for
+/// their masses). A backtracked pair is pushed at its time of impact; gap and penetration are those
+/// that the frame shows. In space the velocity after a push is that of the next frame's beginning,
+/// which for a tumbling body differs by the free motion of one frame.
 template <int Dim>
 [[nodiscard]] std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
                                                         std::span<const lod::Body<Dim>> bodies,

@@ -67,9 +67,10 @@ void add(PerceivedCost& sum, const PerceivedCost& cost, double share) {
     sum.energy += share * cost.energy;
 }
 
-/// Whether each collision is the first of both its bodies.
+}  // namespace
+
 template <int Dim>
-std::vector<bool> firsts(std::span<const Collision<Dim>> collisions) {
+std::vector<bool> first_collisions(std::span<const Collision<Dim>> collisions) {
     std::set<int> met;
     std::vector<bool> result;
     for (const Collision<Dim>& collision : collisions) {
@@ -83,8 +84,6 @@ std::vector<bool> firsts(std::span<const Collision<Dim>> collisions) {
     }
     return result;
 }
-
-}  // namespace
 
 template <int Dim>
 Perceived perceived(const Collision<Dim>& reference, const Collision<Dim>& seen,
@@ -127,8 +126,8 @@ PerceivedError perceived_error(std::span<const Collision<Dim>> reference,
                                std::span<const Collision<Dim>> seen, const BodyShapes<Dim>& shapes,
                                const PerceivedSettings& settings) {
     Matching matching = match<Dim>(reference, seen, settings.window);
-    const std::vector<bool> first_of_reference = firsts<Dim>(reference);
-    const std::vector<bool> first_of_seen = firsts<Dim>(seen);
+    const std::vector<bool> first_of_reference = first_collisions<Dim>(reference);
+    const std::vector<bool> first_of_seen = first_collisions<Dim>(seen);
     PerceivedError result;
     for (const Matching::Pair& pair : matching.pairs) {
         const auto r = static_cast<std::size_t>(pair.reference);
@@ -155,6 +154,7 @@ PerceivedError perceived_error(std::span<const Collision<Dim>> reference,
 #define MEASURE_INSTANTIATE(Dim)                                                    \
     template Perceived perceived(const Collision<Dim>&, const Collision<Dim>&,      \
                                  const BodyShapes<Dim>&, const PerceivedSettings&); \
+    template std::vector<bool> first_collisions(std::span<const Collision<Dim>>);   \
     template PerceivedError perceived_error(std::span<const Collision<Dim>>,        \
                                             std::span<const Collision<Dim>>,        \
                                             const BodyShapes<Dim>&, const PerceivedSettings&);

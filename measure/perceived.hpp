@@ -93,6 +93,11 @@ template <int Dim>
 
 [[nodiscard]] PerceivedCost cost_of(const Perceived& error, const PerceivedSettings& settings);
 
+/// Whether each collision is the first of both its bodies; walls meet everybody for the first time.
+/// In order of time.
+template <int Dim>
+[[nodiscard]] std::vector<bool> first_collisions(std::span<const Collision<Dim>> collisions);
+
 /// Matches the collisions of two runs (see match) and judges each. Both lists in order of time.
 template <int Dim>
 [[nodiscard]] PerceivedError perceived_error(std::span<const Collision<Dim>> reference,

@@ -139,8 +139,7 @@ void add_detection(Panel& panel, const ImpactFilm<Dim>& film, std::size_t r,
     const auto& bodies = run.instants[instant].bodies;
     if (shown[nodes] > 0) {
         for (const lod::PairRecord& pair : record.pairs) {
-            const auto first = record.node_pairs.begin() + pair.first_contact;
-            const std::vector<lod::NodePair> meeting(first, first + pair.contact_count);
+            const auto meeting = nodes_of(record, pair);
             add_meeting_nodes<Dim>(panel, bodies[static_cast<std::size_t>(pair.bodies.a)],
                                    bodies[static_cast<std::size_t>(pair.bodies.b)], pair.bodies.a,
                                    pair.bodies.b, meeting, shown[nodes]);

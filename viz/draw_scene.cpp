@@ -204,6 +204,16 @@ std::vector<lod::Contact<Dim>> contacts_of(const lod::FrameRecord<Dim>& record) 
     return contacts;
 }
 
+template <int Dim>
+std::span<const lod::NodePair> nodes_of(const lod::FrameRecord<Dim>& record,
+                                        const lod::PairRecord& pair) {
+    const auto first = static_cast<std::size_t>(pair.first_contact);
+    const auto count = static_cast<std::size_t>(pair.contact_count);
+    if (record.node_pairs.size() < first + count) return {};
+    const auto nodes = std::span(record.node_pairs).subspan(first, count);
+    return count > 0 && nodes.front().a < 0 ? std::span<const lod::NodePair>{} : nodes;
+}
+
 const char* verdict_words(lod::Verdict verdict) {
     switch (verdict) {
         case lod::Verdict::apart:
@@ -252,5 +262,9 @@ template double gap<2>(const Actor<2>&, const Actor<2>&);
 template double gap<3>(const Actor<3>&, const Actor<3>&);
 template std::vector<lod::Contact<2>> contacts_of<2>(const lod::FrameRecord<2>&);
 template std::vector<lod::Contact<3>> contacts_of<3>(const lod::FrameRecord<3>&);
+template std::span<const lod::NodePair> nodes_of<2>(const lod::FrameRecord<2>&,
+                                                    const lod::PairRecord&);
+template std::span<const lod::NodePair> nodes_of<3>(const lod::FrameRecord<3>&,
+                                                    const lod::PairRecord&);
 
 }  // namespace viz

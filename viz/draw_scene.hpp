@@ -91,6 +91,12 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] std::vector<lod::Contact<Dim>> contacts_of(const lod::FrameRecord<Dim>& record);
 
+/// The overlapping nodes behind a pair's contacts; none where these come from the shapes
+/// themselves.
+template <int Dim>
+[[nodiscard]] std::span<const lod::NodePair> nodes_of(const lod::FrameRecord<Dim>& record,
+                                                      const lod::PairRecord& pair);
+
 /// The words of a verdict: "not colliding", "possible collision", "true collision".
 [[nodiscard]] const char* verdict_words(lod::Verdict verdict);
 

@@ -144,8 +144,7 @@ Panel detection_panel(const Run<Dim>& run, const Scales<Dim>& scales) {
     add_past(panel, run, instant, {.most_ghosts = 0});
     add_bodies(panel, run, instant);
     for (const lod::PairRecord& pair : record.pairs) {
-        const auto first = record.node_pairs.begin() + pair.first_contact;
-        const std::vector<lod::NodePair> nodes(first, first + pair.contact_count);
+        const auto nodes = nodes_of(record, pair);
         const auto& bodies = run.instants[instant].bodies;
         add_meeting_nodes<Dim>(panel, bodies[static_cast<std::size_t>(pair.bodies.a)],
                                bodies[static_cast<std::size_t>(pair.bodies.b)], pair.bodies.a,

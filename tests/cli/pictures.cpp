@@ -64,3 +64,16 @@ TEST_CASE("a tree goes to JSON and to a picture, the same bytes each time") {
     const auto tree = nlohmann::json::parse(head(scratch / "1.json", 10'000'000));
     CHECK(tree["format"] == "lodlab tree");
 }
+
+TEST_CASE("a comparison is drawn as a still and filmed beside Box2D") {
+    const Scratch scratch;
+    const Outcome outcome =
+        lodlab({"compare", "offset_boxes", "--duration", "0.75", "--quality", "draft", "--out",
+                scratch / "c.svg", "--out", scratch / "c.json", "--out", scratch / "c.gif"});
+    INFO(outcome.err);
+    REQUIRE(outcome.code == 0);
+    CHECK(head(scratch / "c.gif", 3) == "GIF");
+    CHECK(head(scratch / "c.svg", 1'000'000).find("Box2D") != std::string::npos);
+    const auto figure = nlohmann::json::parse(head(scratch / "c.json", 100'000'000));
+    CHECK(figure["panels"].size() == 6);  // five levels and the exact run
+}

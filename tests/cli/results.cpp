@@ -55,6 +55,7 @@ TEST_CASE("the results have exactly the documented keys") {
     check_keys("tree", result({"tree", "box", "--dim", "3", "--builder", "octree", "--json"}));
     check_keys("collide", result({"collide", "offset_balls", "--json"}));
     check_keys("simulate", result({"simulate", "offset_balls", "--json"}));
+    check_keys("compare", result({"compare", "offset_boxes", "--json"}));
     check_keys("doctor", result({"doctor", "--json"}));
 }
 
@@ -126,4 +127,38 @@ TEST_CASE("the reports for readers name what matters") {
     CHECK(text({"simulate", "offset_boxes"}).find("state hash") != std::string::npos);
     CHECK(text({"lesson"}).find("lodlab lesson 1") != std::string::npos);
     CHECK(text({"doctor"}).find("mp4 encoder") != std::string::npos);
+}
+
+TEST_CASE("a comparison tells each level from the exact impact, and Box2D from neither") {
+    const Json json = result({"compare", "offset_boxes", "--json"});
+    CHECK(json["scene"] == "offset_boxes");
+    REQUIRE(json["impacts"].size() == 1);
+    const Json& impact = json["impacts"][0];
+    CHECK(impact["a"] == "A");
+    // METHOD.md, case 6: impulse 50/31, spins 60/31.
+    CHECK(impact["exact"]["b"]["velocity"][0].get<double>() == Approx(50.0 / 31).epsilon(1e-6));
+    CHECK(impact["exact"]["a"]["spin"].get<double>() == Approx(60.0 / 31).epsilon(1e-6));
+    CHECK(impact["box2d"]["error"]["impulse"].get<double>() < 1e-5);
+    CHECK(impact["levels"].size() == 5);
+    CHECK(impact["levels"][0]["error"]["impulse"].get<double>() > 0.1);
+    REQUIRE(json["runs"].size() == 6);
+    CHECK(json["runs"][5]["level"] == "exact");
+    for (const Json& run : json["runs"]) {
+        const Json& parts = run["perceived"];
+        double sum = 0;
+        for (const auto& [part, cost] : parts.items())
+            if (part != "total") sum += cost.get<double>();
+        CHECK(parts["total"].get<double>() == Approx(sum));
+    }
+    CHECK(json["runs"][5]["perceived"]["total"] < json["runs"][0]["perceived"]["total"]);
+}
+
+TEST_CASE("what a level takes for a collision and never was has no error to tell") {
+    const Json json = result({"compare", "near_miss", "--json"});
+    REQUIRE(json["impacts"].size() == 1);
+    CHECK(json["impacts"][0]["exact"]["time"].is_null());
+    CHECK(json["impacts"][0]["box2d"]["a"].is_null());
+    CHECK(json["impacts"][0]["levels"][0]["gap"].get<double>() > 0);
+    CHECK(json["impacts"][0]["levels"][0]["error"].is_null());
+    CHECK(json["runs"][0]["extra"] == 1);
 }

@@ -97,7 +97,7 @@ TEST_CASE("two boxes are apart by their gap, or as deep as a corner lies in the 
 }
 
 TEST_CASE("a run by lodlab and one by Box2D show the same collision of two boxes", "[measure]") {
-    const auto setup = scenes::set_up(scenes::parse_scene(R"(
+    const auto setup = scenes::set_up<2>(scenes::parse_scene(R"(
         duration = 0.75
         depth = 3
         [[body]]
@@ -109,7 +109,7 @@ TEST_CASE("a run by lodlab and one by Box2D show the same collision of two boxes
         position = [2, 0.4]
         mass = 1
     )",
-                                                          "boxes.toml"));
+                                                             "boxes.toml"));
     const lod2d::Shape* const outlines[] = {setup.shapes[0].get(), setup.shapes[1].get()};
     const PlaneBodies shapes(outlines);
     scenes::RunOptions options;
