@@ -142,6 +142,7 @@ struct Canvas::State {
     PageFormat format;
     double width;
     double height;
+    double resolution;
     std::string stream;  ///< must outlive the surface, which writes to it
     Owned<cairo_surface_t> surface;
     Owned<cairo_t> context;
@@ -200,6 +201,8 @@ Canvas::Canvas(PageFormat format, double width, double height, double scale)
     state_->format = format;
     state_->width = width;
     state_->height = height;
+    constexpr double print = 2;  // pixels a page unit
+    state_->resolution = format == PageFormat::image ? scale : std::max(print, scale);
     const auto pixels = [&](double length) {
         return 2 * static_cast<int>(length * scale / 2 + 0.5);
     };
@@ -303,6 +306,27 @@ void Canvas::write(const Text& text, Point at, const Rgb* halo) {
     state_->set_ink(text.ink, text.opacity);
     pango_cairo_show_layout(context, state_->layout.get());
     cairo_new_path(context);
+}
+
+double Canvas::resolution() const {
+    return state_->resolution;
+}
+
+void Canvas::draw(const Image& picture, Point at) {
+    std::vector<std::uint8_t> pixels = picture.pixels;
+    const Owned<cairo_surface_t> surface(cairo_image_surface_create_for_data(
+        pixels.data(), CAIRO_FORMAT_ARGB32, picture.width, picture.height, picture.stride));
+    check(cairo_surface_status(surface.get()));
+    cairo_t* context = state_->context.get();
+    cairo_save(context);
+    cairo_translate(context, at.x, at.y);
+    cairo_scale(context, 1 / state_->resolution, 1 / state_->resolution);
+    cairo_set_source_surface(context, surface.get(), 0, 0);
+    if (state_->format == PageFormat::image)
+        cairo_pattern_set_filter(cairo_get_source(context), CAIRO_FILTER_NEAREST);
+    cairo_paint(context);
+    cairo_restore(context);
+    cairo_surface_finish(surface.get());  // what still needs the pixels has copied them by now
 }
 
 void Canvas::clip(const Rect& to) {

@@ -83,6 +83,13 @@ class Canvas {
     /// ink surrounds the letters.
     void write(const Text& text, Point at, const Rgb* halo = nullptr);
 
+    /// Pixels of a raster picture for one page unit: the page's own where it is an image, enough
+    /// for print where it is not.
+    [[nodiscard]] double resolution() const;
+    /// A raster picture of that resolution; `at` is its top left corner, a whole number of pixels.
+    /// Its colours are premultiplied by their cover, the fourth byte.
+    void draw(const Image& picture, Point at);
+
     void clip(const Rect& to);
     void unclip();
 

@@ -46,8 +46,8 @@ Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const lod::Front& fr
     Panel panel = blank_panel<Dim>(view);
     panel.title = "Level " + std::to_string(front.level) + ": " +
                   count_text(static_cast<long long>(contacts.size()), "contact");
-    add_body(panel, a, 0);
-    add_body(panel, b, 1);
+    add_body(panel, a, 0, Sight<Dim>::see_through);
+    add_body(panel, b, 1, Sight<Dim>::see_through);
     add_meeting_nodes<Dim>(panel, a.body, b.body, 0, 1, front.pairs, 0.6);
     add_normals<Dim>(panel, contacts, 0.14 * longer_side(panel.view));
     add_contact_points<Dim>(panel, contacts);

@@ -9,7 +9,8 @@
 namespace viz {
 namespace {
 
-constexpr std::size_t many_contacts = 12;
+constexpr std::size_t many_contacts = 12;   ///< smaller dots beyond
+constexpr std::size_t most_contacts = 128;  ///< smallest dots beyond
 constexpr std::size_t most_normals = 16;
 
 template <int Dim>
@@ -82,7 +83,9 @@ void add_meeting_nodes(Panel& panel, const lod::Body<Dim>& a, const lod::Body<Di
 
 template <int Dim>
 void add_contact_points(Panel& panel, std::span<const lod::Contact<Dim>> contacts, double opacity) {
-    const double size = contacts.size() > many_contacts ? 0.6 : 1.0;
+    const double size = contacts.size() > most_contacts   ? 0.35
+                        : contacts.size() > many_contacts ? 0.6
+                                                          : 1.0;
     for (const lod::Contact<Dim>& contact : contacts)
         panel.marks.push_back(Dot{{.role = Role::contact, .opacity = opacity},
                                   Sight<Dim>::on(panel, contact.point),

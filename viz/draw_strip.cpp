@@ -72,9 +72,9 @@ std::string time_words(double time) {
 }
 
 template <int Dim>
-void add_bodies(Panel& panel, const Run<Dim>& run, std::size_t instant) {
+void add_bodies(Panel& panel, const Run<Dim>& run, std::size_t instant, double opacity = 1) {
     const auto count = static_cast<int>(run.instants[instant].bodies.size());
-    for (int i = 0; i < count; ++i) add_body(panel, actor_of(run, instant, i), i);
+    for (int i = 0; i < count; ++i) add_body(panel, actor_of(run, instant, i), i, opacity);
 }
 
 template <int Dim>
@@ -142,7 +142,7 @@ Panel detection_panel(const Run<Dim>& run, const Scales<Dim>& scales) {
     const lod::FrameRecord<Dim>& record = run.instants[instant].record;
     panel.title = time_words(run.instants[instant].time) + gap_words(run, instant);
     add_past(panel, run, instant, {.most_ghosts = 0});
-    add_bodies(panel, run, instant);
+    add_bodies(panel, run, instant, Sight<Dim>::see_through);
     for (const lod::PairRecord& pair : record.pairs) {
         const auto nodes = nodes_of(record, pair);
         const auto& bodies = run.instants[instant].bodies;

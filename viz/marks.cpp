@@ -5,6 +5,7 @@
 
 #include "viz/clip.hpp"
 #include "viz/labels.hpp"
+#include "viz/space.hpp"
 
 namespace viz {
 namespace {
@@ -19,21 +20,26 @@ constexpr double head_half_width = 6;
 constexpr int fading_parts = 32;
 constexpr double doubled_gap = 4.5;
 constexpr std::size_t many_discs = 40;  ///< of one style side by side: thinner lines
+constexpr double faint = 0.7;           ///< opacity of what lies behind a surface
+constexpr int stretch_steps = 48;       ///< so many places of a line are looked at
 constexpr double wide_panel = 800;      ///< larger words from here on
 
 /// Draws one panel's marks and gathers its words and what they must not cover.
 class Painter {
   public:
-    Painter(const PanelPlace& place, bool plot, Theme theme, Rgb ground, Canvas& canvas)
+    Painter(const PanelPlace& place, bool plot, Theme theme, Rgb ground, const Hidden& hidden,
+            Canvas& canvas)
         : label_size_(!plot && place.frame.width > wide_panel ? 1.25 * label_size : label_size),
           map_(place.mapping),
           frame_(place.frame),
           theme_(theme),
           ground_(ground),
+          hidden_(hidden),
           canvas_(canvas),
           reach_(grown(place.frame, beyond)) {}
 
     void paint(const std::vector<Mark>& marks);
+    void keep_words_off(const std::vector<Ring>& outlines);
     void paint_words(const Rect& bounds);
 
   private:
@@ -50,17 +56,28 @@ class Painter {
     void paint(const Polyline& line);
     void paint(const Arrow& arrow);
     void paint(const Label& label);
+    void paint_in_space(const std::vector<Point>& points, const Polyline& line, const Pen& pen);
     void paint_fading(const std::vector<Point>& points, const Pen& pen, double opacity,
                       double start);
     void add_words(const Style& style, const std::string& words, Point anchor, double clearance,
                    Point away);
     void add_outline(const Ring& ring, bool closed, double cost);
+    [[nodiscard]] bool is_hidden(Point at, double depth) const {
+        return hidden_ && hidden_(at, depth);
+    }
+    struct Stretch {
+        std::vector<Point> points;
+        bool hidden = false;
+    };
+    [[nodiscard]] std::vector<Stretch> stretches_of(const std::vector<Point>& points,
+                                                    const std::vector<double>& depths) const;
 
     double label_size_;
     const Mapping& map_;
     Rect frame_;
     Theme theme_;
     Rgb ground_;
+    const Hidden& hidden_;
     Canvas& canvas_;
     Rect reach_;
     std::vector<Words> words_;
@@ -142,8 +159,9 @@ void Painter::paint(const Dot& dot) {
         frame_.width < narrow_panel || frame_.height < 0.5 * narrow_panel ? 0.7 : 1;
     const double radius = share * dot_radius * dot.size;
     const double room = radius + halo * std::min(1.0, dot.size);
-    canvas_.fill({{at, room}}, ground_, dot.style.opacity);
-    canvas_.fill({{at, radius}}, pen.ink, dot.style.opacity);
+    const double opacity = dot.style.opacity * (is_hidden(at, dot.depth) ? faint : 1);
+    canvas_.fill({{at, room}}, ground_, opacity);
+    canvas_.fill({{at, radius}}, pen.ink, opacity);
     obstacles_.boxes.push_back({at.x - room, at.y - room, 2 * room, 2 * room});
 }
 
@@ -171,7 +189,9 @@ void Painter::paint(const Polyline& line) {
     std::vector<Point> mapped;
     for (const Point& p : line.points) mapped.push_back(map_(p));
     const Point end = mapped.back();
-    if (line.start_opacity < 1) {
+    if (hidden_ && line.depths.size() == line.points.size()) {
+        paint_in_space(mapped, line, pen);
+    } else if (line.start_opacity < 1) {
         paint_fading(mapped, pen, line.style.opacity, line.start_opacity);
     } else {
         const std::vector<Ring> parts = clipped_line(mapped, reach_);
@@ -183,6 +203,54 @@ void Painter::paint(const Polyline& line) {
         const double length = std::max(1e-9, std::hypot(end.x - before.x, end.y - before.y));
         add_words(line.style, line.end_label, end, 0,
                   {(end.x - before.x) / length, (end.y - before.y) / length});
+    }
+}
+
+/// Points of the line, evenly spaced, in stretches that are seen or hidden by a surface.
+std::vector<Painter::Stretch> Painter::stretches_of(const std::vector<Point>& points,
+                                                    const std::vector<double>& depths) const {
+    std::vector<Stretch> stretches;
+    const int each = std::max(1, stretch_steps / static_cast<int>(points.size()));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+        for (int k = 0; k < each; ++k) {
+            const auto between = [&](double share) {
+                return Point{points[i].x + share * (points[i + 1].x - points[i].x),
+                             points[i].y + share * (points[i + 1].y - points[i].y)};
+            };
+            const double middle = (k + 0.5) / each;
+            const double depth = depths[i] + middle * (depths[i + 1] - depths[i]);
+            const bool hidden = is_hidden(between(middle), depth);
+            if (stretches.empty() || stretches.back().hidden != hidden)
+                stretches.push_back({{between(static_cast<double>(k) / each)}, hidden});
+            stretches.back().points.push_back(between((k + 1.0) / each));
+        }
+    }
+    return stretches;
+}
+
+/// A line over a scene in space: pale where a surface hides it, fading into the past.
+void Painter::paint_in_space(const std::vector<Point>& points, const Polyline& line,
+                             const Pen& pen) {
+    double walked = 0;
+    std::vector<Stretch> stretches = stretches_of(points, line.depths);
+    double total = 1e-9;
+    const auto length_of = [](const std::vector<Point>& way) {
+        double length = 0;
+        for (std::size_t i = 1; i < way.size(); ++i)
+            length += std::hypot(way[i].x - way[i - 1].x, way[i].y - way[i - 1].y);
+        return length;
+    };
+    for (const Stretch& stretch : stretches) total += length_of(stretch.points);
+    for (const Stretch& stretch : stretches) {
+        for (std::size_t i = 1; i < stretch.points.size(); ++i) {
+            const std::vector<Point> step{stretch.points[i - 1], stretch.points[i]};
+            walked += length_of(step);
+            const double age = line.start_opacity + (1 - line.start_opacity) * walked / total;
+            const double opacity = line.style.opacity * age * (stretch.hidden ? faint : 1);
+            if (stretch.hidden && i % 2 == 0) continue;  // dashed
+            canvas_.stroke(clipped_line(step, reach_), false,
+                           {mixed(ground_, pen.ink, opacity), pen.width, 1, false});
+        }
     }
 }
 
@@ -225,11 +293,25 @@ void Painter::paint(const Arrow& arrow) {
                    {neck.x + half * along.y, neck.y - half * along.x}};
     const Point end{neck.x + 0.3 * head * along.x, neck.y + 0.3 * head * along.y};
     const double opacity = arrow.style.opacity;
-    const auto shafts = clipped_line({tail, end}, reach_);
-    canvas_.stroke(shafts, false, {ground_, pen.width + 2 * halo, opacity, false});
-    canvas_.stroke({tri}, true, {ground_, 2 * halo, opacity, false});
-    canvas_.stroke(shafts, false, {pen.ink, pen.width, opacity, pen.dashed});
-    canvas_.fill(std::vector<Ring>{tri}, pen.ink, opacity);
+    if (hidden_ && arrow.tip_depth != in_front) {
+        for (const Stretch& stretch :
+             stretches_of({tail, end}, {arrow.tail_depth, arrow.tip_depth})) {
+            const double seen = opacity * (stretch.hidden ? faint : 1);
+            const auto part = clipped_line({stretch.points.front(), stretch.points.back()}, reach_);
+            canvas_.stroke(part, false, {ground_, pen.width + 2 * halo, seen * seen, false});
+            canvas_.stroke(part, false, {pen.ink, pen.width, seen, stretch.hidden});
+        }
+        const bool behind = is_hidden(neck, arrow.tip_depth);
+        const double seen = opacity * (behind ? faint : 1);
+        canvas_.stroke({tri}, true, {ground_, 2 * halo, seen * seen, false});
+        canvas_.fill(std::vector<Ring>{tri}, pen.ink, seen);
+    } else {
+        const auto shafts = clipped_line({tail, end}, reach_);
+        canvas_.stroke(shafts, false, {ground_, pen.width + 2 * halo, opacity, false});
+        canvas_.stroke({tri}, true, {ground_, 2 * halo, opacity, false});
+        canvas_.stroke(shafts, false, {pen.ink, pen.width, opacity, pen.dashed});
+        canvas_.fill(std::vector<Ring>{tri}, pen.ink, opacity);
+    }
     obstacles_.segments.push_back({tail, tip, 25});
     if (!arrow.label.empty()) add_words(arrow.style, arrow.label, tip, 0, along);
 }
@@ -251,6 +333,15 @@ void Painter::add_words(const Style& style, const std::string& words, Point anch
               .opacity = style.opacity};
     const Extent extent = canvas_.measure(text);
     words_.push_back({text, {anchor, clearance, extent, away}});
+}
+
+void Painter::keep_words_off(const std::vector<Ring>& outlines) {
+    for (const Ring& outline : outlines) {
+        Ring mapped;
+        for (const Point& p : outline) mapped.push_back(map_(p));
+        add_outline(mapped, true, 1.0);
+        obstacles_.areas.push_back(std::move(mapped));
+    }
 }
 
 void Painter::add_outline(const Ring& ring, bool closed, double cost) {
@@ -277,9 +368,10 @@ void Painter::paint_words(const Rect& bounds) {
 }  // namespace
 
 void paint_marks(const Panel& panel, const PanelPlace& place, Theme theme, Rgb ground,
-                 Canvas& canvas) {
-    Painter painter(place, panel.axes.has_value(), theme, ground, canvas);
+                 const Hidden& hidden, Canvas& canvas) {
+    Painter painter(place, panel.axes.has_value(), theme, ground, hidden, canvas);
     canvas.clip(panel.axes ? grown(place.frame, 8) : place.frame);
+    if (panel.space) painter.keep_words_off(outlines_of(*panel.space));
     painter.paint(panel.marks);
     canvas.unclip();
     Rect bounds = grown(place.frame, -6);

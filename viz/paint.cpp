@@ -7,6 +7,7 @@
 #include "viz/marks.hpp"
 #include "viz/page.hpp"
 #include "viz/plot.hpp"
+#include "viz/space_render.hpp"
 
 namespace viz {
 namespace {
@@ -65,6 +66,41 @@ void paint_headings(const Figure& figure, const PageLayout& layout, const PageIn
     }
 }
 
+/// Shades the panel's scene over its whole frame, and tells what it hides.
+Hidden paint_space(const Panel& panel, const PanelPlace& place, Theme theme, Canvas& canvas) {
+    const double resolution = canvas.resolution();
+    const Rect& frame = place.frame;
+    const double left = std::floor(frame.x * resolution);
+    const double top = std::floor(frame.y * resolution);
+    SpaceRendering choice;
+    choice.width = static_cast<int>(std::ceil(frame.right() * resolution) - left);
+    choice.height = static_cast<int>(std::ceil(frame.bottom() * resolution) - top);
+    choice.line = resolution;
+    choice.theme = theme;
+    const double metres = 1 / (place.mapping.length(1) * resolution);  // for a pixel
+    const double low_x =
+        panel.view.low.x + (left / resolution - place.mapping.place.x) * resolution * metres;
+    const double high_y =
+        panel.view.high.y - (top / resolution - place.mapping.place.y) * resolution * metres;
+    choice.view = {{low_x, high_y - choice.height * metres},
+                   {low_x + choice.width * metres, high_y}};
+    SpacePicture picture = render_space(*panel.space, choice);
+    canvas.clip(frame);
+    canvas.draw(picture.image, {left / resolution, top / resolution});
+    canvas.unclip();
+    const double slack = 3 * metres;
+    return [=, depth = std::move(picture.depth)](Point at, double z) {
+        const int x = static_cast<int>(std::clamp(at.x * resolution - left, -1.0, 1e6));
+        const int y = static_cast<int>(std::clamp(at.y * resolution - top, -1.0, 1e6));
+        if (x < 0 || y < 0 || x >= choice.width || y >= choice.height) return false;
+        return z >
+               slack +
+                   static_cast<double>(
+                       depth[static_cast<std::size_t>(y) * static_cast<std::size_t>(choice.width) +
+                             static_cast<std::size_t>(x)]);
+    };
+}
+
 }  // namespace
 
 void paint(const Figure& figure, Theme theme, Canvas& canvas) {
@@ -87,7 +123,8 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas) {
                     {{f.x, f.y}, {f.right(), f.y}, {f.right(), f.bottom()}, {f.x, f.bottom()}}},
                 ground, 1);
         }
-        paint_marks(panel, place, theme, ground, canvas);
+        const Hidden hidden = panel.space ? paint_space(panel, place, theme, canvas) : Hidden();
+        paint_marks(panel, place, theme, ground, hidden, canvas);
         if (!panel.title.empty())
             canvas.write(panel_title(panel, inks, place), top_left(place.title),
                          title_within(panel, place) ? &ground : nullptr);

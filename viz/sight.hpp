@@ -72,6 +72,7 @@ struct Sight<2> {
     static constexpr const char* ball_word = "circle";
     static constexpr const char* solid_word = "shape";
     static constexpr const char* outline_word = "outline";
+    static constexpr double see_through = 1;  ///< opacity of a body whose inside matters
 
     [[nodiscard]] static bool shown(const Outline& outline) { return !outline.empty(); }
     [[nodiscard]] static Panel panel(const View& view);
@@ -102,6 +103,7 @@ struct Sight<3> {
     static constexpr const char* ball_word = "sphere";
     static constexpr const char* solid_word = "solid";
     static constexpr const char* outline_word = "surface";
+    static constexpr double see_through = 0.35;
 
     [[nodiscard]] static bool shown(const Outline& outline) { return outline != nullptr; }
     [[nodiscard]] static Panel panel(const View& view);

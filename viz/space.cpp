@@ -1,6 +1,7 @@
 #include "viz/space.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <set>
 
 #include "core/trigonometry.hpp"
@@ -94,6 +95,28 @@ void find_outermost(const lod3d::Mesh& mesh, Surface& surface) {
     for (const std::size_t i : found) surface.outermost.push_back(surface.vertices[i]);
 }
 
+/// The convex hull, by Andrew's chains.
+Ring hull_of(std::vector<Point> points) {
+    std::sort(points.begin(), points.end(),
+              [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    Ring hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t start = hull.size();
+        for (const Point& p : points) {
+            const auto turns_right = [&] {
+                const Point& a = hull[hull.size() - 2];
+                const Point& b = hull.back();
+                return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) <= 0;
+            };
+            while (hull.size() >= start + 2 && turns_right()) hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();  // the next side begins there
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
 }  // namespace
 
 CameraAxes axes_of(const Camera& camera) {
@@ -127,6 +150,34 @@ Point project(const Camera& camera, const Vector3& point) {
 
 double depth_of(const Camera& camera, const Vector3& point) {
     return (point - vector3(camera.eye)).dot(axes_of(camera).forward);
+}
+
+std::vector<Ring> outlines_of(const SpaceScene& scene) {
+    std::vector<Ring> outlines;
+    for (const Facets& facets : scene.facets) {
+        if (facets.style.role == Role::ghost) continue;
+        std::vector<Point> points;
+        for (const Point3& p : facets.surface->outermost) {
+            const Vector3 world = vector3(facets.origin) + p.x * vector3(facets.axes[0]) +
+                                  p.y * vector3(facets.axes[1]) + p.z * vector3(facets.axes[2]);
+            points.push_back(project(scene.camera, world));
+        }
+        if (points.size() > 2) outlines.push_back(hull_of(std::move(points)));
+    }
+    for (const Ball& ball : scene.balls) {
+        if (ball.style.role != Role::meeting_node && ball.style.role != Role::true_collision)
+            continue;
+        const Vector3 centre = vector3(ball.centre);
+        const Point at = project(scene.camera, centre);
+        const double radius = ball.radius * magnification(scene.camera, centre);
+        constexpr int sides = 24;
+        Ring& rim = outlines.emplace_back();
+        for (int i = 0; i < sides; ++i) {
+            const lod::SineCosine way = lod::sine_cosine(2 * std::numbers::pi * i / sides);
+            rim.push_back({at.x + radius * way.cosine, at.y + radius * way.sine});
+        }
+    }
+    return outlines;
 }
 
 Surface surface_of(const lod3d::Mesh& mesh) {

@@ -40,6 +40,10 @@ struct CameraAxes {
 /// How much larger a metre at that point shows than one at the target: 1 in orthographic views.
 [[nodiscard]] double magnification(const Camera& camera, const lod::Vector<3>& point);
 
+/// What words should not cover: round every surface (ghosts aside) and every bold ball, on the
+/// panel.
+[[nodiscard]] std::vector<Ring> outlines_of(const SpaceScene& scene);
+
 /// Makes a mesh ready to be drawn: smooth normals but over edges sharper than 40 degrees, its edges
 /// and its outermost points. Requires: numbers checked (lod3d::check_numbers).
 [[nodiscard]] Surface surface_of(const lod3d::Mesh& mesh);
