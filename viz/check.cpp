@@ -84,6 +84,57 @@ void check(const Panel& panel, const Place& place) {
     }
 }
 
+void check(Point3 p, const char* name, const Place& place) {
+    for (const double v : {p.x, p.y, p.z}) place.number(v, name);
+}
+
+double distance(Point3 a, Point3 b) {
+    return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+void check(const Camera& camera, const Place& place) {
+    check(camera.eye, "the camera's eye", place);
+    check(camera.target, "the camera's target", place);
+    check(camera.up, "the camera's up", place);
+    const Point3 f{camera.target.x - camera.eye.x, camera.target.y - camera.eye.y,
+                   camera.target.z - camera.eye.z};
+    const Point3 u = camera.up;
+    const Point3 across{f.y * u.z - f.z * u.y, f.z * u.x - f.x * u.z, f.x * u.y - f.y * u.x};
+    if (!(distance(across, {}) > least_extent * distance(f, {})))
+        place.refuse("the camera looks nowhere, or along its own up",
+                     "move its eye or turn its up");
+}
+
+void check(const Ball& ball, const Place& place) {
+    place.share(ball.style.opacity, "the opacity");
+    check(ball.centre, "a ball's centre", place);
+    place.length(ball.radius, "a ball's radius");
+}
+
+void check(const Facets& facets, const Place& place) {
+    place.share(facets.style.opacity, "the opacity");
+    check(facets.origin, "a surface's origin", place);
+    for (const Point3& axis : facets.axes) check(axis, "a surface's axis", place);
+    if (!facets.surface) place.refuse("there is no surface", "give it one");
+    for (const Point3& v : facets.surface->vertices) check(v, "a surface's vertex", place);
+}
+
+void check(const SpaceScene& scene, const std::string& panel) {
+    const Place place{panel};
+    check(scene.camera, place);
+    for (std::size_t i = 0; i < scene.balls.size(); ++i)
+        check(scene.balls[i], Place{panel + ", ball " + std::to_string(i + 1)});
+    for (std::size_t i = 0; i < scene.facets.size(); ++i)
+        check(scene.facets[i], Place{panel + ", surface " + std::to_string(i + 1)});
+    if (!scene.ground) return;
+    place.number(scene.ground->height, "the ground's height");
+    check(scene.ground->centre, "the ground's centre", place);
+    for (const Ball& caster : scene.ground->casters) check(caster, place);
+    if (!(scene.ground->spacing >= least_extent && scene.ground->reach >= least_extent) ||
+        scene.ground->reach > largest || scene.ground->spacing > largest)
+        place.refuse("the ground's grid is empty or endless", "give it a spacing and a reach");
+}
+
 }  // namespace
 
 void check_figure(const Figure& figure) {
@@ -97,6 +148,7 @@ void check_figure(const Figure& figure) {
         const Panel& panel = figure.panels[p];
         const std::string name = "panel " + std::to_string(p + 1);
         check(panel, Place{name});
+        if (panel.space) check(*panel.space, name);
         for (std::size_t m = 0; m < panel.marks.size(); ++m) {
             const Place place{name + ", mark " + std::to_string(m + 1)};
             std::visit(

@@ -26,9 +26,9 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-/// Numbers the ids "surfaceN" from 1: the drawing library counts them through the whole process.
-std::string with_own_ids(const std::string& svg) {
-    const std::string word = "surface";
+/// Numbers the ids that begin with a word, "surfaceN", from 1: the drawing library counts them
+/// through the whole process.
+std::string with_own_ids(const std::string& svg, const std::string& word) {
     std::map<std::string, int> number_of;
     std::string out;
     std::size_t from = 0;
@@ -51,7 +51,7 @@ std::string with_own_ids(const std::string& svg) {
 }  // namespace
 
 std::string finished_svg(const std::string& svg, const std::string& title, const std::string& alt) {
-    std::string out = with_own_ids(svg);
+    std::string out = with_own_ids(with_own_ids(svg, "surface"), "image");
     const std::size_t tag = out.find("<svg ");
     if (tag == std::string::npos) return out;
     const std::size_t end = out.find('>', tag);

@@ -168,7 +168,8 @@ Panel run_panel(const ImpactFilm<Dim>& film, std::size_t r, const Moment& moment
     if (opacity == 1 && impact >= 0 && moment.time > impact)
         add_past(panel, run, std::min(until, run.instants.size() - 1), {.most_ghosts = 4});
     add_trails(panel, run, 0, moment.time, bodies, opacity);
-    add_bodies(panel, run, bodies, opacity);
+    const double clear = (1 - Sight<Dim>::see_through) * shown[nodes];  // to see the nodes within
+    add_bodies(panel, run, bodies, opacity * (1 - clear));
     if (film.impacts[r] < 0) return panel;
     add_detection(panel, film, r, shown);
     if (shown[velocities] > 0) {

@@ -35,8 +35,8 @@ Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lo
     const lod::Front& front = front_at(fronts, level);
     Panel panel = blank_panel<Dim>(view);
     panel.title = "Level " + std::to_string(level) + ": " + verdict_words(front.verdict);
-    add_body(panel, a, 0);
-    add_body(panel, b, 1);
+    add_body(panel, a, 0, Sight<Dim>::see_through);
+    add_body(panel, b, 1, Sight<Dim>::see_through);
     const TestedNodes tested = tested_nodes(a.body, b.body, fronts, level);
     add_nodes<Dim>(panel, a.body, tested.a, Role::node, 0);
     add_nodes<Dim>(panel, b.body, tested.b, Role::node, 1);

@@ -7,8 +7,15 @@
 //    "marks": [{"mark": "disc|dot|path|polyline|arrow|label", "role", "body", "level", "opacity",
 //               ... what the mark holds: "centre" and "radius"; "at"; "rings"; "points",
 //               "end_label"; "tail", "tip", "label"; "anchor", "text"}]}]}
-// Points are [x, y]; lengths are metres in scenes and units of the axes in plots.
+// A scene in space adds to its panel:
+//   "space": {"camera": {"eye", "target", "up", "perspective"},
+//    "balls": [{"role", "body", "level", "opacity", "centre", "radius"}],
+//    "surfaces": [{"role", "body", "opacity", "mesh", "origin", "axes": [three columns]}],
+//    "ground": {"height", "spacing"} or absent}
+// and the figure gets "meshes": [{"vertices", "triangles"}], which "mesh" counts from 0.
+// Points are [x, y] or [x, y, z]; lengths are metres in scenes and units of the axes in plots.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/output_file.hpp"
@@ -60,15 +67,61 @@ void put(ordered_json& mark, const Label& label) {
     mark["text"] = plain_text(label.text);
 }
 
-ordered_json data(const Mark& mark) {
-    ordered_json json;
-    std::visit([&](const auto& held) { put(json, held); }, static_cast<const AnyMark&>(mark));
-    const Style& style =
-        std::visit([](const auto& held) -> const Style& { return held.style; }, mark);
+void put(ordered_json& json, const Style& style) {
     json["role"] = role_name(style.role);
     json["body"] = style.body;
     if (style.level >= 0) json["level"] = style.level;
     if (style.opacity != 1) json["opacity"] = style.opacity;
+}
+
+ordered_json data(const Mark& mark) {
+    ordered_json json;
+    std::visit([&](const auto& held) { put(json, held); }, static_cast<const AnyMark&>(mark));
+    put(json, std::visit([](const auto& held) -> const Style& { return held.style; }, mark));
+    return json;
+}
+
+ordered_json data(Point3 p) {
+    return ordered_json::array({p.x, p.y, p.z});
+}
+
+ordered_json data(const Surface& surface) {
+    ordered_json json;
+    json["vertices"] = ordered_json::array();
+    for (const Point3& v : surface.vertices) json["vertices"].push_back(data(v));
+    json["triangles"] = surface.triangles;
+    return json;
+}
+
+using Meshes = std::vector<std::shared_ptr<const Surface>>;
+
+ordered_json data(const SpaceScene& scene, Meshes& meshes) {
+    ordered_json json;
+    json["camera"] = {{"eye", data(scene.camera.eye)},
+                      {"target", data(scene.camera.target)},
+                      {"up", data(scene.camera.up)},
+                      {"perspective", scene.camera.perspective}};
+    json["balls"] = ordered_json::array();
+    for (const Ball& ball : scene.balls) {
+        ordered_json one;
+        put(one, ball.style);
+        one["centre"] = data(ball.centre);
+        one["radius"] = ball.radius;
+        json["balls"].push_back(std::move(one));
+    }
+    json["surfaces"] = ordered_json::array();
+    for (const Facets& facets : scene.facets) {
+        const auto known = std::find(meshes.begin(), meshes.end(), facets.surface);
+        ordered_json one;
+        put(one, facets.style);
+        one["mesh"] = known - meshes.begin();
+        if (known == meshes.end()) meshes.push_back(facets.surface);
+        one["origin"] = data(facets.origin);
+        one["axes"] = {data(facets.axes[0]), data(facets.axes[1]), data(facets.axes[2])};
+        json["surfaces"].push_back(std::move(one));
+    }
+    if (scene.ground)
+        json["ground"] = {{"height", scene.ground->height}, {"spacing", scene.ground->spacing}};
     return json;
 }
 
@@ -77,13 +130,14 @@ ordered_json data(const Axis& axis) {
             {"scale", axis.scale == Scale::linear ? "linear" : "logarithmic"}};
 }
 
-ordered_json data(const Panel& panel) {
+ordered_json data(const Panel& panel, Meshes& meshes) {
     ordered_json json;
     json["title"] = plain_text(panel.title);
     json["view"] = {panel.view.low.x, panel.view.low.y, panel.view.high.x, panel.view.high.y};
     if (panel.axes) json["axes"] = {{"x", data(panel.axes->x)}, {"y", data(panel.axes->y)}};
     json["marks"] = ordered_json::array();
     for (const Mark& mark : panel.marks) json["marks"].push_back(data(mark));
+    if (panel.space) json["space"] = data(*panel.space, meshes);
     return json;
 }
 
@@ -103,7 +157,9 @@ void write_json(const std::filesystem::path& path, const Figure& figure) {
             {{"name", plain_text(number.name)}, {"value", plain_text(number.value)}});
     json["columns"] = figure.columns;
     json["panels"] = ordered_json::array();
-    for (const Panel& panel : figure.panels) json["panels"].push_back(data(panel));
+    Meshes meshes;
+    for (const Panel& panel : figure.panels) json["panels"].push_back(data(panel, meshes));
+    for (const auto& mesh : meshes) json["meshes"].push_back(data(*mesh));
     lod::write_text_file(path,
                          json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
 }

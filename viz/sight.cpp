@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 
+#include "core/exact_shape.hpp"
 #include "lod2d/distance.hpp"
 #include "lod2d/overlap.hpp"
 #include "viz/space.hpp"
@@ -218,8 +219,9 @@ std::vector<lod::Vector<3>> Sight<3>::points_of(const Outline& outline) {
     return points;
 }
 
-double Sight<3>::gap(const Outline&, const lod::Body<3>&, const Outline&, const lod::Body<3>&) {
-    return -1;
+double Sight<3>::gap(const Outline&, const lod::Body<3>& a, const Outline&, const lod::Body<3>& b) {
+    if (!a.exact || !b.exact) return -1;
+    return lod::exactly_overlap<3>(a, b) ? 0 : lod::separation<3>(a, b).distance;
 }
 
 Eigen::Quaterniond Sight<3>::between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
