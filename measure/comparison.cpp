@@ -16,7 +16,8 @@ using Bodies = std::span<const lod::Body<2>>;
 using Shapes = std::span<const lod2d::Shape* const>;
 
 constexpr double most_units_per_metre = 4096;
-constexpr double first_push = 0;  ///< no pause: pushes are compared, not what follows them
+constexpr double least_step = 1e-5;  ///< [s]
+constexpr double first_push = 0;     ///< no pause: pushes are compared, not what follows them
 
 std::size_t at(int i) {
     return static_cast<std::size_t>(i);
@@ -40,17 +41,25 @@ class Parts {
     double done_ = 0;
 };
 
-/// Box2D's run, at the first scale that its shapes can be held at.
+/// Box2D's run, at the first scale that can hold its shapes and the first step that can hold its
+/// speeds.
 lod2d::Box2dRun run_reference(Bodies bodies, Shapes shapes, const ComparisonOptions& options,
                               lod2d::Box2dSettings& settings,
                               const std::function<void(double)>& progress) {
-    for (;; settings.units_per_metre *= 2) {
+    for (;;) {
         try {
             return lod2d::run_box2d(bodies, shapes, options.frames, options.settings.time_step,
                                     settings, progress);
         } catch (const lod::Error& error) {
-            if (error.kind() != lod::ErrorKind::input_refused ||
-                2 * settings.units_per_metre > most_units_per_metre)
+            const bool too_fine = error.kind() == lod::ErrorKind::input_refused &&
+                                  2 * settings.units_per_metre <= most_units_per_metre;
+            const bool too_fast = error.kind() == lod::ErrorKind::limit_exceeded &&
+                                  settings.time_step / 2 >= least_step;
+            if (too_fine)
+                settings.units_per_metre *= 2;
+            else if (too_fast)
+                settings.time_step /= 2;
+            else
                 throw;
         }
     }

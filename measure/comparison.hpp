@@ -43,7 +43,7 @@ struct Comparison {
 struct ComparisonOptions {
     lod::FrameSettings settings;  ///< its deepest_level and finest are not used
     std::int64_t frames = 1;
-    lod2d::Box2dSettings box2d;  ///< the scale is raised where shapes are too fine for it
+    lod2d::Box2dSettings box2d;  ///< raised and shortened where shapes are too fine or fast
     PerceivedSettings perceived;
     std::function<void(double share)> progress{};  ///< called with the share done, 0 to 1
 };

@@ -113,3 +113,12 @@ TEST_CASE("the scale of Box2D is raised until it holds the shapes", "[measure]")
     CHECK(comparison.box2d_settings.units_per_metre > 0.125);
     CHECK(comparison.first_impacts.empty());
 }
+
+TEST_CASE("the step of Box2D is shortened until it holds the speeds", "[measure]") {
+    Scene scene("box:1,1", 0);
+    scene.add({0, 0}, {400, 0});  // 6.7 units in 1/960 s, and Box2D moves 2
+    scene.options.frames = 2;
+    const Comparison comparison = compare(scene.bodies, scene.shapes, scene.options);
+    CHECK(comparison.box2d_settings.time_step == 1.0 / 3840);
+    CHECK(comparison.box2d.frames.back()[0].position.x() == Approx(2 * 400 / 240.0).epsilon(1e-5));
+}
