@@ -1,0 +1,143 @@
+#include <nlohmann/json.hpp>
+
+#include "core/error.hpp"
+#include "core/output_file.hpp"
+#include "measure/curves.hpp"
+#include "scenes/scene.hpp"
+
+namespace measure {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int outcomes_version = 1;
+constexpr std::size_t most_bytes = std::size_t{1} << 31;
+constexpr std::size_t numbers_per_outcome = 9;
+
+template <class Choice, std::size_t n>
+Json names_json(const std::vector<Choice>& choices, const std::array<std::string_view, n>& names) {
+    Json list = Json::array();
+    for (const Choice choice : choices) list.push_back(names[static_cast<std::size_t>(choice)]);
+    return list;
+}
+
+template <class Choice, std::size_t n>
+std::vector<Choice> choices_from(const Json& json, const std::array<std::string_view, n>& names) {
+    std::vector<Choice> choices;
+    for (const Json& entry : json) {
+        const auto found =
+            std::find(names.begin(), names.end(), entry.get_ref<const std::string&>());
+        if (found == names.end())
+            throw std::invalid_argument("\"" + entry.get<std::string>() + "\" is no setting");
+        choices.push_back(static_cast<Choice>(found - names.begin()));
+    }
+    return choices;
+}
+
+Json plan_json(const Plan& plan) {
+    return {{"dim", plan.dim},
+            {"shapes", plan.shapes},
+            {"builder", plan.builder},
+            {"branching", plan.branching},
+            {"depth", plan.depth},
+            {"impacts", plan.impacts},
+            {"time_step", plan.time_step},
+            {"seed", plan.ensemble.seed},
+            {"speed", plan.ensemble.speed},
+            {"spin", plan.ensemble.spin},
+            {"aim", plan.ensemble.aim},
+            {"restitution", plan.ensemble.restitution},
+            {"models", names_json(plan.models, scenes::contact_model_names)},
+            {"responses", names_json(plan.responses, scenes::response_names)}};
+}
+
+Plan plan_from(const Json& json) {
+    Plan plan;
+    plan.dim = json.at("dim").get<int>();
+    plan.shapes = json.at("shapes").get<std::vector<std::string>>();
+    plan.builder = json.at("builder").get<std::string>();
+    plan.branching = json.at("branching").get<int>();
+    plan.depth = json.at("depth").get<int>();
+    plan.impacts = json.at("impacts").get<int>();
+    plan.time_step = json.at("time_step").get<double>();
+    plan.ensemble.seed = json.at("seed").get<std::uint64_t>();
+    plan.ensemble.speed = json.at("speed").get<double>();
+    plan.ensemble.spin = json.at("spin").get<double>();
+    plan.ensemble.aim = json.at("aim").get<double>();
+    plan.ensemble.restitution = json.at("restitution").get<double>();
+    plan.models = choices_from<lod::ContactModel>(json.at("models"), scenes::contact_model_names);
+    plan.responses = choices_from<lod::Response>(json.at("responses"), scenes::response_names);
+    if (plan.depth < 0 || plan.depth > 12) throw std::invalid_argument("depth is out of range");
+    return plan;
+}
+
+Json outcome_json(const Outcome& o) {
+    return {o.impulse_error, o.angle_error, o.spin_error,   o.gap,   o.gap_bound,
+            o.delay,         o.tests,       o.microseconds, o.missed};
+}
+
+Outcome outcome_from(const Json& json) {
+    if (!json.is_array() || json.size() != numbers_per_outcome)
+        throw std::invalid_argument("an outcome is not a list of " +
+                                    std::to_string(numbers_per_outcome));
+    return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>(),
+            json[3].get<double>(), json[4].get<double>(), json[5].get<double>(),
+            json[6].get<double>(), json[7].get<double>(), json[8].get<bool>()};
+}
+
+Outcomes outcomes_from(const Json& json) {
+    if (json.at("lodlab_outcomes").get<int>() != outcomes_version)
+        throw std::invalid_argument("it has another version");
+    Outcomes outcomes{plan_from(json.at("plan")), {}};
+    for (const Json& entry : json.at("impacts")) {
+        ImpactOutcomes impact{entry.at("number").get<int>(), {}};
+        for (const Json& outcome : entry.at("outcomes"))
+            impact.outcomes.push_back(outcome_from(outcome));
+        if (impact.outcomes.size() != outcomes.plan.curves() * outcomes.plan.levels())
+            throw std::invalid_argument("impact " + std::to_string(impact.number) +
+                                        " lacks outcomes");
+        outcomes.impacts.push_back(std::move(impact));
+    }
+    return outcomes;
+}
+
+}  // namespace
+
+std::string outcomes_json(const Outcomes& outcomes) {
+    std::string text = "{\"lodlab_outcomes\": " + std::to_string(outcomes_version);
+    text += ",\n \"plan\": " + plan_json(outcomes.plan).dump();
+    text +=
+        ",\n \"outcome\": \"impulse_error, angle_error, spin_error, gap, gap_bound, delay, "
+        "tests, microseconds, missed\",\n \"impacts\": [";
+    const char* separator = "\n  ";
+    for (const ImpactOutcomes& impact : outcomes.impacts) {
+        Json list = Json::array();
+        for (const Outcome& outcome : impact.outcomes) list.push_back(outcome_json(outcome));
+        text += separator;
+        text += Json({{"number", impact.number}, {"outcomes", std::move(list)}}).dump();
+        separator = ",\n  ";
+    }
+    text += "]}\n";
+    return text;
+}
+
+Outcomes outcomes_from_json(const std::string& text, const std::string& source) {
+    try {
+        return outcomes_from(Json::parse(text));
+    } catch (const std::exception& error) {
+        if (dynamic_cast<const lod::Error*>(&error) != nullptr) throw;
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         source + " holds no outcomes of lodlab degrade: " + error.what() +
+                             "; write it again with --out");
+    }
+}
+
+void save_outcomes(const std::filesystem::path& path, const Outcomes& outcomes) {
+    lod::write_text_file(path, outcomes_json(outcomes));
+}
+
+Outcomes load_outcomes(const std::filesystem::path& path) {
+    return outcomes_from_json(lod::read_text_file(path, most_bytes), path.string());
+}
+
+}  // namespace measure
