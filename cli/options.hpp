@@ -39,11 +39,20 @@ struct Options {
     std::optional<double> duration;  ///< [s]
     std::string response;
     std::string point_model;
+    std::string contact_model;
     std::string picture;  ///< of simulate: "strip", "plot"; empty: what suits the scene
     std::string trace;
     std::string replay;
     double raise_limits = 1;
     bool no_video = false;
+
+    std::string shapes;     ///< of degrade, parted by commas
+    std::string models;     ///< contact models, parted by commas
+    std::string responses;  ///< parted by commas
+    std::optional<int> impacts;
+    std::uint64_t seed = 1;
+    std::string share = "1/1";
+    std::vector<std::string> merge;  ///< files with shares
 };
 
 }  // namespace cli

@@ -64,7 +64,7 @@ std::string report_of(const scenes::Scene& scene, const scenes::Run<Dim>& run,
 void check_replay(const Options& options) {
     const bool other = options.level || options.budget || options.milliseconds ||
                        options.duration || !options.response.empty() ||
-                       !options.point_model.empty();
+                       !options.point_model.empty() || !options.contact_model.empty();
     if (!options.replay.empty() && other)
         throw lod::Error(lod::ErrorKind::usage,
                          "a replay takes its limit, duration and models from the trace; drop "

@@ -44,6 +44,7 @@ scenes::Scene scene_of(const Options& options) {
     scenes::Scene scene = scenes::load_scene(scenes::scene_file(options.scene));
     override_limits(options, scene.limits);
     override_choice(options.response, scenes::response_names, scene.response);
+    override_choice(options.contact_model, scenes::contact_model_names, scene.contact_model);
     override_choice(options.point_model, scenes::point_model_names, scene.point_model);
     if (options.duration) scene.duration = *options.duration;
     return scene;

@@ -66,7 +66,7 @@ Spread spread(std::vector<double> values) {
     const auto rank = [&](std::size_t tenths) {
         return values[(values.size() * tenths + 9) / 10 - 1];
     };
-    return {rank(5), rank(9)};
+    return {rank(1), rank(5), rank(9)};
 }
 
 bool DegradationCurve::falls_at_every_level() const {

@@ -8,9 +8,10 @@
 namespace measure {
 
 /// The middle and the upper end of many values: the median is the lower of the two middle ones
-/// where there are two, p90 the value that nine tenths do not exceed (nearest rank). Both are
-/// values that were measured.
+/// where there are two, p90 the value that nine tenths do not exceed (nearest rank), p10 that of
+/// one tenth. All are values that were measured.
 struct Spread {
+    double p10 = 0;
     double median = 0;
     double p90 = 0;
 };

@@ -106,14 +106,15 @@ bool find_touch(Approach<Dim>& approach, double horizon, double step) {
 }  // namespace
 
 template <int Dim>
-Kind<Dim> make_kind(const std::string& spec, const scenes::TreeChoice& tree) {
+Kind<Dim> make_kind(const std::string& spec, const scenes::ShapeChoice& shape_choice,
+                    const scenes::TreeChoice& tree, const io::TreeCache& cache) {
     using Shapes = scenes::Shapes<Dim>;
-    const auto shape = Shapes::named(spec, {});
+    const auto shape = Shapes::named(spec, shape_choice);
     Kind<Dim> kind;
     kind.name = spec;
     lod::set_mass(kind.body, Shapes::measure(shape), Shapes::second_moment(shape));
-    kind.body.tree =
-        std::make_shared<const lod::SphereTree<Dim>>(Shapes::build(shape, Shapes::settings(tree)));
+    kind.body.tree = std::make_shared<const lod::SphereTree<Dim>>(
+        scenes::tree_of<Dim>(shape, Shapes::settings(tree), cache));
     kind.body.exact = exact_shape(shape);
     for (const lod::LevelReport& level : Shapes::report(shape, *kind.body.tree).levels)
         kind.protrusion.push_back(level.worst_protrusion);
@@ -137,7 +138,8 @@ Approach<Dim> draw_approach(std::span<const Kind<Dim>> kinds, const EnsembleSett
 }
 
 #define MEASURE_INSTANTIATE(Dim)                                                              \
-    template Kind<Dim> make_kind(const std::string&, const scenes::TreeChoice&);              \
+    template Kind<Dim> make_kind(const std::string&, const scenes::ShapeChoice&,              \
+                                 const scenes::TreeChoice&, const io::TreeCache&);            \
     template Approach<Dim> draw_approach(std::span<const Kind<Dim>>, const EnsembleSettings&, \
                                          std::uint64_t, double);
 MEASURE_INSTANTIATE(2)

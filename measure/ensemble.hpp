@@ -26,10 +26,11 @@ struct Kind {
     }
 };
 
-/// Loads a shape, builds its tree and measures every level of it. Throws lod::Error as
-/// scenes::Shapes does.
+/// Loads a shape, builds its tree, or takes it from the cache, and measures every level of it.
+/// Throws lod::Error as scenes::Shapes does.
 template <int Dim>
-[[nodiscard]] Kind<Dim> make_kind(const std::string& spec, const scenes::TreeChoice& tree);
+[[nodiscard]] Kind<Dim> make_kind(const std::string& spec, const scenes::ShapeChoice& shape,
+                                  const scenes::TreeChoice& tree, const io::TreeCache& cache);
 
 /// Random impacts of two bodies. World frame; body A starts in the origin.
 struct EnsembleSettings {

@@ -104,8 +104,9 @@ Outcomes outcomes_from(const Json& json) {
 }  // namespace
 
 std::string outcomes_json(const Outcomes& outcomes) {
-    std::string text = "{\"lodlab_outcomes\": " + std::to_string(outcomes_version);
-    text += ",\n \"plan\": " + plan_json(outcomes.plan).dump();
+    std::string text = "{\"lodlab_outcomes\": ";
+    text.append(std::to_string(outcomes_version));
+    text.append(",\n \"plan\": ").append(plan_json(outcomes.plan).dump());
     text +=
         ",\n \"outcome\": \"impulse_error, angle_error, spin_error, gap, gap_bound, delay, "
         "tests, microseconds, missed\",\n \"impacts\": [";

@@ -56,6 +56,8 @@ TEST_CASE("the results have exactly the documented keys") {
     check_keys("collide", result({"collide", "offset_balls", "--json"}));
     check_keys("simulate", result({"simulate", "offset_balls", "--json"}));
     check_keys("compare", result({"compare", "offset_boxes", "--json"}));
+    check_keys("degrade",
+               result({"degrade", "--shapes", "box", "--impacts", "3", "--depth", "2", "--json"}));
     check_keys("doctor", result({"doctor", "--json"}));
 }
 
