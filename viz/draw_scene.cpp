@@ -66,7 +66,6 @@ void add_meeting_nodes(Panel& panel, const lod::Body<Dim>& a, const lod::Body<Di
     std::set<int> true_a;
     std::set<int> true_b;
     for (const lod::NodePair& pair : pairs) {
-        if (pair.a < 0) continue;  // an exact contact: no nodes behind it
         const bool leaves = a.tree->is_leaf(pair.a) && b.tree->is_leaf(pair.b);
         (leaves ? true_a : meeting_a).insert(pair.a);
         (leaves ? true_b : meeting_b).insert(pair.b);

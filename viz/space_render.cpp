@@ -63,7 +63,7 @@ Solidity solidity_of(Role role) {
         case Role::true_collision:
             return {0.35, 0.85, 1, 2.25, true, true};
         default:
-            return {0.16, 0.7, 0.9, 1.25};
+            return {0.18, 0.75, 1, 1.25};
     }
 }
 
