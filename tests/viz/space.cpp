@@ -299,6 +299,9 @@ TEST_CASE("a figure with a scene in space is written in every format, the same t
     Figure figure;
     figure.title = "A ball";
     figure.alt = "One ball in space.";
+    figure.aspect = 5;
+    WriteOptions small;  // a small page: quick
+    small.quality = Quality::draft;
     Panel panel;
     panel.view = {{-1, -1}, {1, 1}};
     panel.space = SpaceScene{straight(5, false), {ball(Role::body, 0, {0, 0, 0}, 1)}, {}, {}};
@@ -314,8 +317,8 @@ TEST_CASE("a figure with a scene in space is written in every format, the same t
         INFO(ending);
         const auto first = folder / (std::string("a.") + ending);
         const auto second = folder / (std::string("b.") + ending);
-        write_figure(first, figure);
-        write_figure(second, figure);
+        write_figure(first, figure, small);
+        write_figure(second, figure, small);
         CHECK(bytes_of(first) == bytes_of(second));
     }
     CHECK_THAT(bytes_of(folder / "a.json"), Catch::Contains("\"perspective\": false"));
