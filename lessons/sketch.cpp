@@ -37,6 +37,23 @@ Number number(double value, int decimals, const std::string& unit) {
     return {value, with_unit(shown(value, decimals), unit)};
 }
 
+Number tiny(double value, const std::string& unit) {
+    if (value == 0) return number(value, 0, unit);
+    constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::array<char, 32> buffer{};
+    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                    std::chars_format::scientific, 1)
+                          .ptr;
+    const std::string text(buffer.data(), end);  // "2.2e-16"
+    const std::size_t e = text.find('e');
+    std::string shown_text = text.substr(0, e) + "·10";
+    if (text[e + 1] == '-') shown_text += "⁻";
+    const std::size_t digits = text[e + 2] == '0' ? e + 3 : e + 2;
+    for (const char digit : text.substr(digits))
+        shown_text += raised[static_cast<std::size_t>(digit - '0')];
+    return {value, with_unit(shown_text, unit)};
+}
+
 std::string in_words(lod::Verdict verdict) {
     if (verdict == lod::Verdict::apart) return "apart";
     return verdict == lod::Verdict::possible ? "possible" : "true collision";
@@ -74,15 +91,6 @@ lod2d::Shape scaled(const lod2d::Shape& shape, double factor) {
     return lod2d::make_shape(shape.name, polygon);
 }
 
-std::vector<viz::Ring> rings_of(const lod2d::Polygon& polygon) {
-    std::vector<viz::Ring> rings;
-    for (const lod2d::Ring& ring : polygon.rings) {
-        viz::Ring& drawn = rings.emplace_back();
-        for (const lod2d::Point& p : ring) drawn.push_back(at(p));
-    }
-    return rings;
-}
-
 std::size_t edge_count(const lod2d::Polygon& polygon) {
     std::size_t edges = 0;
     for (const lod2d::Ring& ring : polygon.rings) edges += ring.size();
@@ -92,8 +100,19 @@ std::size_t edge_count(const lod2d::Polygon& polygon) {
 viz::Actor<2> actor(const std::string& name, const lod2d::Shape& shape,
                     std::shared_ptr<const lod::SphereTree<2>> tree) {
     viz::Actor<2> result;
-    result.look = {name, rings_of(shape.polygon)};
+    result.look = viz::look_of(shape);
+    result.look.name = name;
     lod::set_mass(result.body, shape.area, lod::Inertia<2>::Constant(shape.second_moment));
+    result.body.tree = std::move(tree);
+    return result;
+}
+
+viz::Actor<3> actor(const std::string& name, const lod3d::Solid& solid,
+                    std::shared_ptr<const lod::SphereTree<3>> tree) {
+    viz::Actor<3> result;
+    result.look = viz::look_of(solid);
+    result.look.name = name;
+    lod::set_mass(result.body, solid.volume, solid.second_moment);
     result.body.tree = std::move(tree);
     return result;
 }
@@ -118,41 +137,46 @@ viz::Style style(viz::Role role, int body, int level) {
     return {role, body, level, 1};
 }
 
-void add_body(viz::Panel& panel, const viz::Actor<2>& actor, int index) {
-    const viz::Role role = actor.body.is_static() ? viz::Role::wall : viz::Role::body;
+template <int Dim>
+void add_ball(viz::Panel& panel, const lod::Sphere<Dim>& ball, viz::Style style) {
+    viz::Sight<Dim>::add_ball(panel, style, ball);
+}
+
+template <int Dim>
+void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& p, int body) {
+    using Sight = viz::Sight<Dim>;
     panel.marks.push_back(
-        viz::Path{style(role, index), viz::carried(actor.body, actor.look.outline)});
+        viz::Dot{style(role, body), Sight::on(panel, p), 1, Sight::depth(panel, p)});
 }
 
-void add_disc(viz::Panel& panel, const lod::Sphere<2>& disc, viz::Style style) {
-    panel.marks.push_back(viz::Disc{style, at(disc.centre), disc.radius});
+template <int Dim>
+void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& from,
+              const lod::Vector<Dim>& to, int body) {
+    const std::array<lod::Vector<Dim>, 2> ends{from, to};
+    viz::add_line<Dim>(panel, style(role, body), ends, 1);
 }
 
-void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<2>& p, int body) {
-    panel.marks.push_back(viz::Dot{style(role, body), at(p)});
+template <int Dim>
+void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& tail,
+               const lod::Vector<Dim>& tip, const std::string& label, int body) {
+    viz::add_arrow<Dim>(panel, style(role, body), tail, tip, label);
 }
 
-void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<2>& from,
-              const lod::Vector<2>& to, int body) {
-    panel.marks.push_back(viz::Polyline{style(role, body), {at(from), at(to)}, 1, {}});
-}
-
-void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<2>& tail,
-               const lod::Vector<2>& tip, const std::string& label, int body) {
-    panel.marks.push_back(viz::Arrow{style(role, body), at(tail), at(tip), label});
-}
-
-void add_centres(viz::Panel& panel, const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
-    add_line(panel, viz::Role::construction, a.centre, b.centre);
-    add_dot(panel, viz::Role::contact, a.centre);
-    add_dot(panel, viz::Role::contact, b.centre);
-    add_label(panel, viz::Role::note, a.centre, "*o*_a");
-    add_label(panel, viz::Role::note, b.centre, "*o*_b");
-}
-
-void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<2>& anchor,
+template <int Dim>
+void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& anchor,
                const std::string& text, int body, double clearance) {
-    panel.marks.push_back(viz::Label{style(role, body), at(anchor), text, clearance});
+    using Sight = viz::Sight<Dim>;
+    panel.marks.push_back(viz::Label{style(role, body), Sight::on(panel, anchor), text,
+                                     clearance * Sight::magnification(panel, anchor)});
+}
+
+template <int Dim>
+void add_centres(viz::Panel& panel, const lod::Sphere<Dim>& a, const lod::Sphere<Dim>& b) {
+    add_line<Dim>(panel, viz::Role::construction, a.centre, b.centre);
+    for (const lod::Vector<Dim>& centre : {a.centre, b.centre})
+        add_dot<Dim>(panel, viz::Role::contact, centre);
+    add_label<Dim>(panel, viz::Role::note, a.centre, "*o*_a");
+    add_label<Dim>(panel, viz::Role::note, b.centre, "*o*_b");
 }
 
 viz::Box box(double left, double bottom, double right, double top) {
@@ -178,5 +202,20 @@ viz::Figure figure_of(viz::Panel panel, std::string title, std::string alt) {
     figure.panels.push_back(std::move(panel));
     return figure;
 }
+
+#define LESSONS_MARKS(Dim)                                                            \
+    template void add_ball(viz::Panel&, const lod::Sphere<Dim>&, viz::Style);         \
+    template void add_dot<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&, int); \
+    template void add_line<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&,      \
+                                const lod::Vector<Dim>&, int);                        \
+    template void add_arrow<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&,     \
+                                 const lod::Vector<Dim>&, const std::string&, int);   \
+    template void add_label<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&,     \
+                                 const std::string&, int, double);                    \
+    template void add_centres(viz::Panel&, const lod::Sphere<Dim>&, const lod::Sphere<Dim>&);
+
+LESSONS_MARKS(2)
+LESSONS_MARKS(3)
+#undef LESSONS_MARKS
 
 }  // namespace lessons

@@ -11,8 +11,8 @@
 #include "lod2d/build_tree.hpp"
 #include "lod2d/distance.hpp"
 #include "lod2d/shape.hpp"
-#include "viz/figure.hpp"
-#include "viz/scene_view.hpp"
+#include "lod3d/solid.hpp"
+#include "viz/draw_scene.hpp"
 
 // Words and marks that lessons share.
 namespace lessons {
@@ -33,6 +33,9 @@ namespace lessons {
     return {static_cast<double>(value), with_unit(shown_count(value), unit)};
 }
 
+/// A number that may be very small, as a power of ten: "2.2·10⁻¹⁶ m".
+[[nodiscard]] Number tiny(double value, const std::string& unit = "");
+
 /// "apart", "possible", "true collision".
 [[nodiscard]] std::string in_words(lod::Verdict verdict);
 
@@ -47,13 +50,14 @@ void add_step(Lesson& lesson, const std::string& title, const std::string& text,
 
 /// The shape at another size.
 [[nodiscard]] lod2d::Shape scaled(const lod2d::Shape& shape, double factor);
-[[nodiscard]] std::vector<viz::Ring> rings_of(const lod2d::Polygon& polygon);
 /// Sides of its outline.
 [[nodiscard]] std::size_t edge_count(const lod2d::Polygon& polygon);
 
-/// A body of density 1 kg/m^2 with a picture's look; its tree may come later.
+/// A body of density 1 with a picture's look; its tree may come later.
 [[nodiscard]] viz::Actor<2> actor(const std::string& name, const lod2d::Shape& shape,
                                   std::shared_ptr<const lod::SphereTree<2>> tree = nullptr);
+[[nodiscard]] viz::Actor<3> actor(const std::string& name, const lod3d::Solid& solid,
+                                  std::shared_ptr<const lod::SphereTree<3>> tree = nullptr);
 
 /// A circle tree of the shape, with four children a node.
 [[nodiscard]] std::shared_ptr<const lod::SphereTree<2>> tree_of(
@@ -65,18 +69,26 @@ void add_step(Lesson& lesson, const std::string& title, const std::string& text,
 [[nodiscard]] viz::Point at(const lod::Vector<2>& p);
 [[nodiscard]] viz::Style style(viz::Role role, int body = 0, int level = -1);
 
-/// Outline of a body in the ink of body `index`.
-void add_body(viz::Panel& panel, const viz::Actor<2>& actor, int index);
-void add_disc(viz::Panel& panel, const lod::Sphere<2>& disc, viz::Style style);
-void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<2>& p, int body = 0);
-void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<2>& from,
-              const lod::Vector<2>& to, int body = 0);
-void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<2>& tail,
-               const lod::Vector<2>& tip, const std::string& label = "", int body = 0);
-/// The centre line of two discs; the centres are o_a and o_b.
-void add_centres(viz::Panel& panel, const lod::Sphere<2>& a, const lod::Sphere<2>& b);
-void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<2>& anchor,
+// Marks in the plane, and in space (add_dot<3>) as the panel's camera sees them: the panel's scene
+// must be there, and its camera too.
+
+template <int Dim = 2>
+void add_ball(viz::Panel& panel, const lod::Sphere<Dim>& ball, viz::Style style);
+template <int Dim = 2>
+void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& p, int body = 0);
+template <int Dim = 2>
+void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& from,
+              const lod::Vector<Dim>& to, int body = 0);
+template <int Dim = 2>
+void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& tail,
+               const lod::Vector<Dim>& tip, const std::string& label = "", int body = 0);
+/// `clearance` in metres at the anchor.
+template <int Dim = 2>
+void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& anchor,
                const std::string& text, int body = 0, double clearance = 0);
+/// The centre line of two balls; the centres are o_a and o_b.
+template <int Dim = 2>
+void add_centres(viz::Panel& panel, const lod::Sphere<Dim>& a, const lod::Sphere<Dim>& b);
 
 [[nodiscard]] viz::Box box(double left, double bottom, double right, double top);
 

@@ -78,8 +78,8 @@ void add_shapes(viz::Panel& panel, const Scene& scene) {
 
 void add_circles(viz::Panel& panel, const Scene& scene, bool meet) {
     const viz::Role role = meet ? viz::Role::meeting_node : viz::Role::node;
-    add_disc(panel, scene.gear_circle(), style(role, 0, 0));
-    add_disc(panel, scene.star_circle(), style(role, 1, 0));
+    add_ball(panel, scene.gear_circle(), style(role, 0, 0));
+    add_ball(panel, scene.star_circle(), style(role, 1, 0));
 }
 
 /// The centre line with both radii laid along it, from either end.

@@ -9,8 +9,8 @@ using Vec = lod::Vector<2>;
 /// Bold where the test says that they meet.
 void add_circles(viz::Panel& panel, const Sphere<2>& a, const Sphere<2>& b) {
     const viz::Role role = lod::overlap(a, b) ? viz::Role::meeting_node : viz::Role::node;
-    add_disc(panel, a, style(role, 0));
-    add_disc(panel, b, style(role, 1));
+    add_ball(panel, a, style(role, 0));
+    add_ball(panel, b, style(role, 1));
 }
 
 /// Two plain circles that meet in exactly one point.

@@ -87,7 +87,7 @@ viz::Figure draw_hole(const Crescent& crescent, const Hole& hole) {
     add_body(panel, crescent.body, 0);
     for (int node = 0; node < tree.size(); ++node)
         if (tree.is_leaf(node) && node != hole.leaf)
-            add_disc(panel, tree.sphere(node), style(viz::Role::node, 0));
+            add_ball(panel, tree.sphere(node), style(viz::Role::node, 0));
     viz::Polyline sound{style(viz::Role::reference), {}, 1, {}};
     constexpr int corners = 72;
     for (int i = 0; i <= corners; ++i) {
@@ -95,8 +95,8 @@ viz::Figure draw_hole(const Crescent& crescent, const Hole& hole) {
         sound.points.push_back(at(was.centre + was.radius * Vec(turn.cosine, turn.sine)));
     }
     panel.marks.push_back(sound);
-    add_disc(panel, tree.sphere(hole.leaf), style(viz::Role::meeting_node, 0));
-    add_disc(panel, {hole.centre, hole.radius}, style(viz::Role::meeting_node, 1));
+    add_ball(panel, tree.sphere(hole.leaf), style(viz::Role::meeting_node, 0));
+    add_ball(panel, {hole.centre, hole.radius}, style(viz::Role::meeting_node, 1));
     add_label(panel, viz::Role::body, tree.sphere(hole.leaf).centre, "the leaf, too small", 0);
     add_label(panel, viz::Role::body, hole.centre, "visitor", 1, hole.radius);
     return figure_of(
@@ -146,7 +146,7 @@ void step_certificate(Lesson& lesson, const Crescent& crescent) {
     panel.view = viz::grown(box_round({tree.sphere(node)}), 0.15);
     add_body(panel, crescent.body, 0);
     add_piece(panel, piece, 1);
-    add_disc(panel, tree.sphere(node), style(viz::Role::level_node, 1, 2));
+    add_ball(panel, tree.sphere(node), style(viz::Role::level_node, 1, 2));
     std::vector<Vec> corners;
     for (const Vec& corner : piece.vertices()) {
         const auto same = [&](const Vec& other) { return (other - corner).norm() < 1e-9; };

@@ -105,11 +105,11 @@ void step_pieces(Lesson& lesson, const Crescent& crescent) {
     viz::Panel panel;
     panel.view = crescent.view;
     const auto pieces = pieces_of_children(lod2d::PolygonPiece(crescent.shape.polygon), tree, 0);
-    add_disc(panel, tree.sphere(0), style(viz::Role::node, 0, 0));
+    add_ball(panel, tree.sphere(0), style(viz::Role::node, 0, 0));
     for (std::size_t c = 0; c < pieces.size(); ++c)
         add_piece(panel, pieces[c], static_cast<int>(c));
     for (int c = 0; c < tree.child_count[0]; ++c)
-        add_disc(panel, tree.sphere(tree.first_child[0] + c), style(viz::Role::level_node, c, 1));
+        add_ball(panel, tree.sphere(tree.first_child[0] + c), style(viz::Role::level_node, c, 1));
     const std::string pieces_count = std::to_string(pieces.size());
     viz::Figure figure =
         figure_of(std::move(panel), "Each child owns a piece, and its circle holds that piece",
@@ -155,8 +155,8 @@ void step_outside(Lesson& lesson, const Crescent& crescent) {
     }
     const int parent = tree.parent[Tree::index(farthest)];
     viz::Panel panel = panel_of(crescent);
-    add_disc(panel, tree.sphere(parent), style(viz::Role::node, 0));
-    add_disc(panel, tree.sphere(farthest), style(viz::Role::meeting_node, 0));
+    add_ball(panel, tree.sphere(parent), style(viz::Role::node, 0));
+    add_ball(panel, tree.sphere(farthest), style(viz::Role::meeting_node, 0));
     add_label(panel, viz::Role::note, tree.sphere(parent).centre, "parent", 0,
               tree.radius[Tree::index(parent)]);
     add_label(panel, viz::Role::note, tree.sphere(farthest).centre, "child", 0,
@@ -290,7 +290,7 @@ void animate(Lesson& lesson, const Crescent& crescent) {
                 for (int node : crescent.tree->level_nodes(level - 1)) {
                     viz::Style faded = style(viz::Role::level_node, 1, level - 1);
                     faded.opacity = 1 - share;
-                    add_disc(figure.panels[0], crescent.tree->sphere(node), faded);
+                    add_ball(figure.panels[0], crescent.tree->sphere(node), faded);
                 }
                 return figure;
             };

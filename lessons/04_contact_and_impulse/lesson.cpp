@@ -39,8 +39,8 @@ viz::Panel nodes_panel(const Scene& scene) {
     panel.view = view_round((scene.node_a.centre + scene.node_b.centre) / 2, reach);
     add_body(panel, scene.gear, 0);
     add_body(panel, scene.star, 1);
-    add_disc(panel, scene.node_a, style(viz::Role::meeting_node, 0));
-    add_disc(panel, scene.node_b, style(viz::Role::meeting_node, 1));
+    add_ball(panel, scene.node_a, style(viz::Role::meeting_node, 0));
+    add_ball(panel, scene.node_b, style(viz::Role::meeting_node, 1));
     return panel;
 }
 
@@ -136,8 +136,8 @@ void step_two_points(Lesson& lesson) {
     // end of listing
     viz::Panel panel;
     panel.view = box(-2.6, -2.2, 4.4, 2.2);
-    add_disc(panel, a, style(viz::Role::meeting_node, 0));
-    add_disc(panel, b, style(viz::Role::meeting_node, 1));
+    add_ball(panel, a, style(viz::Role::meeting_node, 0));
+    add_ball(panel, b, style(viz::Role::meeting_node, 1));
     add_centres(panel, a, b);
     const double half = std::sqrt(a.radius * a.radius - plane->point.x() * plane->point.x());
     add_line(panel, viz::Role::reference, plane->point + Vec(0, -half),
@@ -294,8 +294,8 @@ void step_after(Lesson& lesson, const Scene& scene, const Scene& after) {
          {"energy before", "energy before"},
          {"energy after", "energy after"}});
     viz::Panel parting = bodies_panel(after);
-    add_disc(parting, scene.node_a, style(viz::Role::meeting_node, 0));
-    add_disc(parting, scene.node_b, style(viz::Role::meeting_node, 1));
+    add_ball(parting, scene.node_a, style(viz::Role::meeting_node, 0));
+    add_ball(parting, scene.node_b, style(viz::Role::meeting_node, 1));
     viz::Figure gate =
         figure_of(std::move(parting), "Only approaching bodies are pushed",
                   "The nodes of the gear and the star still overlap while the bodies part.");
