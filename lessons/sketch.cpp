@@ -97,24 +97,32 @@ std::size_t edge_count(const lod2d::Polygon& polygon) {
     return edges;
 }
 
-viz::Actor<2> actor(const std::string& name, const lod2d::Shape& shape,
-                    std::shared_ptr<const lod::SphereTree<2>> tree) {
-    viz::Actor<2> result;
-    result.look = viz::look_of(shape);
+namespace {
+
+template <int Dim>
+viz::Actor<Dim> dressed(const std::string& name, viz::Look<Dim> look, double measure,
+                        const lod::Inertia<Dim>& second_moment,
+                        std::shared_ptr<const lod::SphereTree<Dim>> tree) {
+    viz::Actor<Dim> result;
+    result.look = std::move(look);
     result.look.name = name;
-    lod::set_mass(result.body, shape.area, lod::Inertia<2>::Constant(shape.second_moment));
+    lod::set_mass<Dim>(result.body, measure, second_moment);
     result.body.tree = std::move(tree);
     return result;
 }
 
+}  // namespace
+
+viz::Actor<2> actor(const std::string& name, const lod2d::Shape& shape,
+                    std::shared_ptr<const lod::SphereTree<2>> tree) {
+    const lod::Inertia<2> second_moment = lod::Inertia<2>::Constant(shape.second_moment);
+    return dressed<2>(name, viz::look_of(shape), shape.area, second_moment, std::move(tree));
+}
+
 viz::Actor<3> actor(const std::string& name, const lod3d::Solid& solid,
                     std::shared_ptr<const lod::SphereTree<3>> tree) {
-    viz::Actor<3> result;
-    result.look = viz::look_of(solid);
-    result.look.name = name;
-    lod::set_mass(result.body, solid.volume, solid.second_moment);
-    result.body.tree = std::move(tree);
-    return result;
+    return dressed<3>(name, viz::look_of(solid), solid.volume, solid.second_moment,
+                      std::move(tree));
 }
 
 std::shared_ptr<const lod::SphereTree<2>> tree_of(const lod2d::Shape& shape, int depth,

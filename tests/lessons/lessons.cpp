@@ -4,20 +4,33 @@
 #include <regex>
 
 #include "core/error.hpp"
+#include "core/output_file.hpp"
 #include "lessons/source.hpp"
 #include "tests/catch.hpp"
 #include "viz/write.hpp"
 
 using namespace lessons;
 
-TEST_CASE("there are four lessons in the order in which they build on each other", "[lessons]") {
+TEST_CASE("there are six lessons in the order in which they build on each other", "[lessons]") {
     const std::vector<Entry> all = list();
-    REQUIRE(all.size() == 4);
+    REQUIRE(all.size() == 6);
     CHECK(all[0].slug == "distance_test");
     CHECK(all[1].slug == "circle_tree");
     CHECK(all[2].slug == "traversal");
     CHECK(all[3].slug == "contact_and_impulse");
+    CHECK(all[4].slug == "circles_to_spheres");
+    CHECK(all[5].slug == "inertia");
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i].number == static_cast<int>(i) + 1);
+}
+
+TEST_CASE("the README names every lesson, in order", "[lessons]") {
+    const std::string readme = lod::read_text_file(LODLAB_SOURCE_DIR "/README.md", 1 << 20);
+    std::size_t place = 0;
+    for (const Entry& entry : list()) {
+        INFO(entry.title);
+        place = readme.find(std::to_string(entry.number) + ". " + entry.title, place);
+        CHECK(place != std::string::npos);
+    }
 }
 
 TEST_CASE("a lesson that does not exist is a usage error naming those that do", "[lessons]") {
@@ -26,7 +39,7 @@ TEST_CASE("a lesson that does not exist is a usage error naming those that do", 
         FAIL("lesson 99 ran");
     } catch (const lod::Error& error) {
         CHECK(error.kind() == lod::ErrorKind::usage);
-        CHECK(std::string(error.what()).find("1 to 4") != std::string::npos);
+        CHECK(std::string(error.what()).find("1 to 6") != std::string::npos);
     }
 }
 
@@ -174,4 +187,67 @@ TEST_CASE("lesson 4: the two points and the energy table are those worked out by
     CHECK(value("K") ==
           Approx(value("K mass a") + value("K mass b") + value("K turn a") + value("K turn b"))
               .epsilon(1e-12));
+}
+
+TEST_CASE("lesson 5: plane and space agree, and linked rings are apart though all shadows overlap",
+          "[lessons]") {
+    const Lesson lesson = run(5);
+    const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
+    CHECK(value("d") == Approx(std::sqrt(1.2 * 1.2 + 0.5 * 0.5 + 1.2 * 1.2)).epsilon(1e-12));
+    CHECK(value("disagreements") == 0);
+    CHECK(value("differing fronts") == 0);
+    CHECK(value("flat tests") == value("lifted tests"));
+    CHECK(value("flat pairs") > 10);
+    CHECK(value("contact difference") < 1e-12);
+    CHECK(value("certified levels") == 3);
+    CHECK(value("worst 1") < value("worst 0"));
+    CHECK(value("worst 2") < value("worst 1"));
+    CHECK(value("spheres 1") <= 8);
+    CHECK(value("spheres 2") <= 64);
+    CHECK(value("volume 2") >= 1);
+    CHECK(value("ring, space worst") <= 3);
+    CHECK(value("L, space worst") <= 3);
+    CHECK(value("L, space") > 4 * value("L, plane"));
+    CHECK(value("ring, space") < 2 * value("ring, plane"));
+    CHECK(value("link pairs 0") == 1);
+    CHECK(value("link pairs 2") == 0);
+    CHECK(value("overlapping shadows") == 3);
+    CHECK(value("pulled pairs") > 0);
+    // Radii 2 and 1, centres 2 apart: the plane is (4 + 4 - 1) / 4 from the first centre.
+    CHECK(value("to plane") == Approx(1.75).epsilon(1e-12));
+    CHECK(value("to ratio") == Approx(4.0 / 3).epsilon(1e-12));
+    CHECK(value("circle radius") == Approx(std::sqrt(15.0) / 4).epsilon(1e-12));
+    CHECK(value("off circle") < 1e-12);
+}
+
+TEST_CASE("lesson 6: the crate's numbers are those worked out by hand, and the spin flips",
+          "[lessons]") {
+    const Lesson lesson = run(6);
+    const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
+    CHECK(value("I x") == Approx(0.40).epsilon(1e-12));
+    CHECK(value("I y") == Approx(1.04).epsilon(1e-12));
+    CHECK(value("I z") == Approx(1.36).epsilon(1e-12));
+    CHECK(value("I xx") == Approx(0.75 * 0.40 + 0.25 * 1.04).epsilon(1e-12));
+    CHECK(value("I yy") == Approx(0.25 * 0.40 + 0.75 * 1.04).epsilon(1e-12));
+    CHECK(value("I xy") == Approx(std::sqrt(3.0) / 4 * (0.40 - 1.04)).epsilon(1e-12));
+    CHECK(value("I zz") == Approx(1.36).epsilon(1e-12));
+    const double degree = std::acos(-1.0) / 180;
+    CHECK(std::tan(value("tilt") * degree) == Approx(-value("I xy") / 0.56).epsilon(1e-12));
+    const double angle = std::atan2(0.1 / 0.40, 0.5 / 1.36) - std::atan2(0.1, 0.5);
+    CHECK(value("push angle") == Approx(angle / degree).epsilon(1e-12));
+    const double K = 1.0 / 12 + 0.01 / 0.40 + 0.25 / 1.36;
+    CHECK(value("K") == Approx(K).epsilon(1e-12));
+    CHECK(value("K flat") == Approx(1.0 / 12 + 0.25 / 1.36).epsilon(1e-12));
+    CHECK(value("j") == Approx(2 / K).epsilon(1e-12));
+    CHECK(value("corner speed") == Approx(2 / K / 12 - 1).epsilon(1e-12));
+    CHECK(value("energy before") == Approx(6).epsilon(1e-12));
+    CHECK(value("energy after") == Approx(6).epsilon(1e-12));
+    // Ten thousand steps: kept to a millionth and far better; explicit steps are off by a half.
+    CHECK(value("sound energy") < 1e-9);
+    CHECK(value("momentum drift") < 1e-9);
+    CHECK(value("naive energy") > 1.5);
+    CHECK(value("spin angle") > 20);
+    CHECK(value("flips") >= 2);
+    CHECK(value("wobble x") < 0.1);
+    CHECK(value("wobble z") < 0.1);
 }
