@@ -139,7 +139,8 @@ void step_cost(Lesson& lesson, const std::vector<Fit>& all) {
     add_step(lesson, "What the third dimension costs",
              "How many nodes until a level stands out by no more than {{number: wanted}}? The ring "
              "takes {{number: ring, plane}} circles in the plane and {{number: ring, space}} "
-             "spheres in space: as many. The L takes {{number: L, plane}} circles and {{number: L, "
+             "spheres in space: about as many. The L takes {{number: L, plane}} circles and "
+             "{{number: L, "
              "space}} spheres.\n\n"
              "A ring is thin in both: the middle of it is a *line*, and beads on a string follow a "
              "line. The L in space is as wide as it is thick. Its surface is made of *faces*, and "
