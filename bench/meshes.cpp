@@ -1,24 +1,27 @@
-// What becomes of real mesh files, and how well sphere trees fit those that are solids: how many
-// files give a mesh or a refusal and what the slowest cost, then the table of levels.
+// Real meshes: what becomes of mesh files, how well sphere trees fit solids, and what a query costs
+// at each level beside an exact one.
 //
-// bench_meshes [FOLDER]    defaults to the models of assimp-testmodels; glmark2's are always built
+// bench_meshes [files|trees|queries]...    all three where none is named
+#include "bench/meshes.hpp"
+
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "bench/timing.hpp"
 #include "core/error.hpp"
 #include "lod3d/load_mesh.hpp"
-#include "lod3d/sphere_tree.hpp"
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
 namespace fs = std::filesystem;
+
+using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
@@ -80,16 +83,25 @@ void read_all(const fs::path& folder) {
                 slowest_file.c_str(), most_megabytes());
 }
 
-void grow(const fs::path& file, lod3d::SolidBuilder builder, bool fill) {
-    const lod3d::Solid solid =
-        lod3d::make_solid(file.stem().string(), lod3d::load_mesh(file), {.fill = fill});
+/// The solid of one of glmark2's models; those that do not close are filled.
+lod3d::Solid model(const std::string& name) {
+    const fs::path file = fs::path("/usr/share/glmark2/models") / name;
+    const lod3d::Mesh mesh = lod3d::load_mesh(file);
+    try {
+        return lod3d::make_solid(file.stem().string(), mesh);
+    } catch (const lod::Error&) {
+        return lod3d::make_solid(file.stem().string() + " (open, filled)", mesh, {.fill = true});
+    }
+}
+
+void grow(const lod3d::Solid& solid, lod3d::SolidBuilder builder) {
     lod3d::SphereTreeSettings settings;
     settings.builder = builder;
-    const auto start = Clock::now();
-    const auto tree = lod3d::build_sphere_tree(solid, settings);
-    std::printf("%s%s, %zu triangles, %s: %.1f s\n", solid.name.c_str(), fill ? " (filled)" : "",
-                solid.mesh.triangles.size(), std::string(lod3d::name_of(builder)).c_str(),
-                seconds_since(start));
+    lod::SphereTree<3> tree;
+    const double seconds =
+        bench::seconds([&] { tree = lod3d::build_sphere_tree(solid, settings); });
+    std::printf("%s, %zu triangles, %s: %.1f s of one core\n", solid.name.c_str(),
+                solid.mesh.triangles.size(), std::string(lod3d::name_of(builder)).c_str(), seconds);
     for (const lod::LevelReport& level : lod3d::report_sphere_tree(solid, tree).levels)
         std::printf(
             "  level %d  %4d nodes  worst %7.3f %%  mean %7.3f %%  volume ratio %7.3f  %s\n",
@@ -99,13 +111,23 @@ void grow(const fs::path& file, lod3d::SolidBuilder builder, bool fill) {
     std::fflush(stdout);
 }
 
+void grow_all() {
+    for (const char* name : {"bunny.obj", "asteroid-high.3ds", "horse.3ds", "cat.3ds"}) {
+        const lod3d::Solid solid = model(name);
+        for (const lod3d::SolidBuilder builder : lod3d::solid_builders()) grow(solid, builder);
+    }
+}
+
 }  // namespace
 
 int main(int count, char** words) {
     try {
-        const fs::path folder = count > 1 ? words[1] : "/usr/share/assimp/models";
-        const fs::path models = "/usr/share/glmark2/models";
-        for (const fs::path& needed : {folder, models})
+        const std::vector<std::string_view> named(words + 1, words + count);
+        const auto asked = [&](std::string_view part) {
+            return named.empty() || std::find(named.begin(), named.end(), part) != named.end();
+        };
+        const fs::path test_models = "/usr/share/assimp/models";
+        for (const fs::path& needed : {test_models, fs::path("/usr/share/glmark2/models")})
             if (!fs::is_directory(needed)) {
                 std::fprintf(stderr,
                              "bench_meshes: no folder %s; install assimp-testmodels and "
@@ -113,16 +135,9 @@ int main(int count, char** words) {
                              needed.c_str());
                 return 6;
             }
-        read_all(folder);
-        for (const char* name : {"bunny.obj", "asteroid-high.3ds", "horse.3ds", "cat.3ds"})
-            for (const lod3d::SolidBuilder builder : lod3d::solid_builders()) {
-                try {
-                    grow(models / name, builder, false);
-                } catch (const lod::Error& error) {
-                    std::printf("%s\n", error.what());
-                    grow(models / name, builder, true);
-                }
-            }
+        if (asked("files")) read_all(test_models);
+        if (asked("trees")) grow_all();
+        if (asked("queries")) bench::query_pairs(model("bunny.obj"), 1000);
         return 0;
     } catch (const lod::Error& error) {
         std::fprintf(stderr, "bench_meshes: %s\n", error.what());
