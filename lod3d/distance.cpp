@@ -51,14 +51,43 @@ double angle_between(const Point& u, const Point& v) {
     return std::atan2(u.cross(v).norm(), u.dot(v));
 }
 
-/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee 1983).
-double solid_angle(const Point& a, const Point& b, const Point& c) {
-    const double la = a.norm();
-    const double lb = b.norm();
-    const double lc = c.norm();
-    return 2 * std::atan2(a.dot(b.cross(c)),
-                          la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-}
+/// The sum of the solid angles of triangles seen from the origin (van Oosterom and Strackee 1983).
+class SolidAngles {
+  public:
+    void add(const Point& a, const Point& b, const Point& c) {
+        const double la = a.norm();
+        const double lb = b.norm();
+        const double lc = c.norm();
+        const double y = a.dot(b.cross(c));
+        const double x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+        if (!(std::abs(y) < small * x)) {  // so is 0 over 0, where a corner is the origin
+            sum_ += 2 * std::atan2(y, x);
+            return;
+        }
+        // Small angles are added by turning one vector, and measured together.
+        const double slope = y / x;
+        turned_ = {turned_.x() - slope * turned_.y(), turned_.y() + slope * turned_.x()};
+        if (++pending_ == most_pending) measure();
+    }
+    [[nodiscard]] double sum() {
+        measure();
+        return sum_;
+    }
+
+  private:
+    static constexpr double small = 0.1;
+    static constexpr int most_pending = 30;  ///< 30 x 0.1 is less than half a turn
+
+    void measure() {
+        sum_ += 2 * std::atan2(turned_.y(), turned_.x());
+        turned_ = {1, 0};
+        pending_ = 0;
+    }
+
+    double sum_ = 0;
+    Eigen::Vector2d turned_{1, 0};
+    int pending_ = 0;
+};
 
 /// For side k of triangle t, at 3 t + k: the sum of the unit normals of the triangles at that edge.
 std::vector<Point> normals_of_sides(const Mesh& mesh, const std::vector<Point>& unit) {
@@ -234,7 +263,8 @@ double MeshDistance::winding_number(const Point& p) const {
     constexpr double far_enough = 2.3;  // times the radius of the group
     std::array<std::int32_t, TriangleTree::deepest> stack;
     std::size_t waiting = 0;
-    double angle = 0;
+    double far = 0;
+    SolidAngles near;
     stack[waiting++] = 0;
     while (waiting > 0) {
         const std::int32_t i = stack[--waiting];
@@ -243,18 +273,18 @@ double MeshDistance::winding_number(const Point& p) const {
         const Point arm = dipole.centre - p;
         const double squared = arm.squaredNorm();
         if (squared > far_enough * far_enough * dipole.radius * dipole.radius) {
-            angle += arm.dot(dipole.area_normal) / (squared * std::sqrt(squared));
+            far += arm.dot(dipole.area_normal) / (squared * std::sqrt(squared));
             continue;
         }
         for (std::int32_t t = node.first; t < node.first + node.count; ++t) {
             const TriangleTree::Corners& at = tree_.corners(t);
-            angle += solid_angle(at.a - p, at.b - p, at.c - p);
+            near.add(at.a - p, at.b - p, at.c - p);
         }
         if (node.is_leaf()) continue;
         stack[waiting++] = node.first;
         stack[waiting++] = i + 1;
     }
-    return angle / (4 * std::numbers::pi);
+    return (far + near.sum()) / (4 * std::numbers::pi);
 }
 
 }  // namespace lod3d

@@ -70,7 +70,7 @@ TEST_CASE("the side of the nearest normal and the winding number agree", "[dista
         const Solid solid = solid_from_spec(spec);
         const MeshDistance quick(solid.mesh);
         const MeshDistance thorough(solid.mesh, InsideRule::winding);
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < 700; ++i) {
             const Point p = random_point(random, 0.6);
             INFO(spec << " at " << p.transpose());
             const double winding = thorough.winding_number(p);
@@ -86,7 +86,7 @@ TEST_CASE("the torus's distance is found to the height of its facets", "[distanc
     const double R = 0.5 - r;
     const MeshDistance distance(solid_from_spec("ring:0.12,320").mesh);
     const double sagitta = r * (1 - std::cos(3.1416 / 160)) + 0.5 * (1 - std::cos(3.1416 / 320));
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < 700; ++i) {
         const Point p = random_point(random, 0.7);
         const double expected = std::hypot(std::hypot(p.x(), p.y()) - R, p.z()) - r;
         const double found = distance.signed_distance(p);

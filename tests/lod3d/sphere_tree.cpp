@@ -110,7 +110,7 @@ TEST_CASE("one sphere about a cube is reported as worked by hand", "[tree]") {
 }
 
 TEST_CASE("the same solid and settings give the same tree", "[tree]") {
-    const Solid solid = solid_from_spec("blob:4");
+    const Solid solid = solid_from_spec("gear:5,0.25,0.4");
     SphereTreeSettings settings;
     settings.depth = 1;
     settings.effort = 0.05;
