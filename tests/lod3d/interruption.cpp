@@ -113,7 +113,7 @@ TEST_CASE("pairs in space interrupted after every test stand at their last finis
     for (const auto& settings : {octree(2), cover(2)}) {
         const Solids solids = every_kind(settings);
         const auto count =
-            lodtest::check_pairs<3>(solids.models, solids.touching(), 90, 300, 0.9, 800);
+            lodtest::check_pairs<3>(solids.models, solids.touching(), 90, 300, 0.9, 250);
         // All kinds of pairs were met.
         CHECK(count.touching > 25);
         CHECK(count.apart > 25);
