@@ -25,7 +25,7 @@ struct SphereTreeSettings {
     /// is not divided further: an error target. 0 to 1. The octree has none.
     double least_protrusion = 1e-7;
     /// How long the cover searches: its random starts are this times the usual number. With 0.1 it
-    /// takes a fifth of the time, and spheres stand out a tenth or so further. 0 to 100.
+    /// takes a quarter of the time, and spheres stand out up to a third further. 0 to 100.
     double effort = 1;
     /// Levels that would take the whole tree beyond so many nodes are left out. 0: no such limit.
     std::int64_t most_nodes = 0;
