@@ -14,7 +14,7 @@ constexpr Command table[] = {
      "SCENE --at --level --out --no-cache --raise-limits --theme --quality --json", run_collide},
     {"simulate", "Run a scene under a level or a budget: video, strip, plot, trace",
      "lodlab simulate figure9 --level 2 --out strip.png --out run.mp4 --json",
-     "SCENE --level --budget --milliseconds --duration --response --contact-model --point-model --strip --plot "
+     "SCENE --level --budget --milliseconds --duration --response --contact-model --point-model --finest --strip --plot "
      "--out --trace --replay --no-cache --raise-limits --theme --quality --json", run_simulate},
     {"compare", "A scene at every level, exactly, and by Box2D: table, picture, video",
      "lodlab compare figure9 --out compare.png --out compare.mp4",
@@ -23,7 +23,7 @@ constexpr Command table[] = {
      "lodlab degrade --shapes box,L,star:5 --impacts 500 --out curve.png --out curve.csv --json",
      "--shapes --dim --impacts --seed --builder --branching --depth --models --responses --share "
      "--merge --out --no-cache --raise-limits --theme --quality --json", run_degrade},
-    {"figure", "A figure of the paper, from running code: 1, 2, 3, 4 or 9",
+    {"figure", "A figure of the paper, from running code: 1, 2, 3, 4, 5 or 9",
      "lodlab figure 9 --out figure-9.png --out figure-9.mp4",
      "FIGURE --dim --out --no-cache --theme --quality", run_figure},
     {"lesson", "List the lessons, or step through one, forwards and backwards",

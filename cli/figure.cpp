@@ -7,6 +7,7 @@
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
 #include "core/error.hpp"
+#include "viz/draw_backtracking.hpp"
 #include "viz/draw_contacts.hpp"
 #include "viz/draw_motion.hpp"
 #include "viz/draw_strip.hpp"
@@ -22,11 +23,13 @@ struct Cast {
     const char* apart;         ///< two bodies whose trees prove that they are
     const char* face;          ///< a box above a floor
     const char* face_builder;  ///< puts its nodes evenly along a face
+    const char* miss;          ///< two bodies that never touch, though nodes of level 1 do
     const char* collision;
 };
 constexpr std::array<Cast, 2> casts{{
-    {"figure9", "near_miss", "box_falls_flat", "pieces", "figure9"},
-    {"two_bunnies", "near_miss_in_space", "cube_falls_flat", "octree", "two_bunnies"},
+    {"figure9", "near_miss", "box_falls_flat", "pieces", "wide_miss", "figure9"},
+    {"two_bunnies", "near_miss_in_space", "cube_falls_flat", "octree", "wide_miss_in_space",
+     "two_bunnies"},
 }};
 constexpr const char* without_package = "knot_meets_ring";
 
@@ -113,6 +116,20 @@ Drawing point_and_normal(const Options&) {
     return drawing;
 }
 
+/// Figure 5: what backtracking at a coarse level makes of bodies that miss each other.
+template <int Dim>
+Drawing backtracking_too_early(const Options& options) {
+    const scenes::Setup<Dim> setup = stage_named<Dim>(cast<Dim>.miss, options);
+    Drawing drawing;
+    drawing.figure = [setup] {
+        return viz::inappropriate_backtracking<Dim>(
+            actor_of<Dim>(setup, setup.bodies, 0), actor_of<Dim>(setup, setup.bodies, 1),
+            {.level = 1, .time_step = setup.scene.time_step, .horizon = setup.scene.duration},
+            viewpoint_of<Dim>(setup.scene));
+    };
+    return drawing;
+}
+
 /// Figure 9: one collision of two real shapes, interrupted at levels 1, 2 and 3.
 template <int Dim>
 Drawing strips_of_a_collision(const Options& options) {
@@ -137,11 +154,12 @@ struct Numbered {
     Draw in_plane;
     Draw in_space;  ///< null: there is none
 };
-constexpr std::array<Numbered, 5> figures{{
+constexpr std::array<Numbered, 6> figures{{
     {1, false, tree_of_a_shape<2>, tree_of_a_shape<3>},
     {2, false, traversal_to_apart<2>, traversal_to_apart<3>},
     {3, false, contacts_of_a_face<2>, contacts_of_a_face<3>},
     {4, false, point_and_normal, nullptr},
+    {5, false, backtracking_too_early<2>, backtracking_too_early<3>},
     {9, true, strips_of_a_collision<2>, strips_of_a_collision<3>},
 }};
 
@@ -164,7 +182,7 @@ void run_figure(const Options& options) {
     }
     throw lod::Error(lod::ErrorKind::usage, "there is no figure " +
                                                 std::to_string(*options.number) +
-                                                "; there are figures 1, 2, 3, 4 and 9");
+                                                "; there are figures 1, 2, 3, 4, 5 and 9");
 }
 
 }  // namespace cli

@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "lod2d/generators.hpp"
 #include "lod2d/load.hpp"
+#include "lod2d/outline.hpp"
 #include "lod2d/overlap.hpp"
 #include "lod2d/tree_report.hpp"
 #include "lod3d/import_limits.hpp"
@@ -53,6 +54,10 @@ PlaneShapes::Settings PlaneShapes::settings(const TreeChoice& choice) {
         throw lod::Error(lod::ErrorKind::usage,
                          "only the builder cover of sphere trees has an effort; drop it");
     return settings;
+}
+
+std::shared_ptr<const lod::ExactShape<2>> PlaneShapes::exact_of(const Shape& shape) {
+    return std::make_shared<lod2d::ExactOutline>(shape);
 }
 
 lod::SphereTree<2> PlaneShapes::build(const Shape& shape, const Settings& settings) {

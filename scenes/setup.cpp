@@ -17,6 +17,7 @@ struct Stock {
     std::map<std::tuple<std::string, std::optional<double>, bool>, SharedShape> shapes;
     std::map<std::pair<const Shape<Dim>*, TreeChoice>, SharedTree> trees;
     std::map<const Shape<Dim>*, typename Shapes<Dim>::Border> borders;
+    std::map<const Shape<Dim>*, std::shared_ptr<const lod::ExactShape<Dim>>> exact;
 
     const typename Shapes<Dim>::Border& border_of(const Shape<Dim>& shape) {
         const auto known = borders.find(&shape);
@@ -143,6 +144,9 @@ Setup<Dim> set_up(const Scene& scene, const SetupOptions& options) {
             const Shape<Dim>& shape = *setup.shapes.back();
             setup.bodies.push_back(body_of<Dim>(
                 spec, shape, shared_tree(spec, shape, options.cache, progress, stock)));
+            auto& exact = stock.exact[&shape];
+            if (!exact) exact = Shapes<Dim>::exact_of(shape);
+            setup.bodies.back().exact = exact;
         } catch (const lod::Error& error) {
             // A shape that is misspelt in a file is input that is refused, not wrong usage.
             const auto kind = error.kind() == lod::ErrorKind::usage ? lod::ErrorKind::input_refused

@@ -82,6 +82,9 @@ struct PlaneShapes {
     [[nodiscard]] static std::vector<std::string> remarks(const Shape& shape);
     [[nodiscard]] static bool is_approximate(const Shape&) { return false; }
 
+    /// For exact contact, after the leaves.
+    [[nodiscard]] static std::shared_ptr<const lod::ExactShape<2>> exact_of(const Shape& shape);
+
     [[nodiscard]] static Border border_of(const Shape& shape);
     /// Whether the posed shapes share a point.
     [[nodiscard]] static bool touch(const Border& a, const lod::Body<2>& body_a, const Border& b,
@@ -115,6 +118,8 @@ struct SpaceShapes {
     [[nodiscard]] static lod::Inertia<3> second_moment(const Shape& shape);
     [[nodiscard]] static std::vector<std::string> remarks(const Shape& shape);
     [[nodiscard]] static bool is_approximate(const Shape& shape) { return shape.approximate; }
+
+    [[nodiscard]] static std::shared_ptr<const lod::ExactShape<3>> exact_of(const Shape& shape);
 
     [[nodiscard]] static Border border_of(const Shape& shape);
     [[nodiscard]] static bool touch(const Border& a, const lod::Body<3>& body_a, const Border& b,

@@ -5,6 +5,7 @@
 #include "lod3d/generators.hpp"
 #include "lod3d/intersect.hpp"
 #include "lod3d/load_mesh.hpp"
+#include "lod3d/surface.hpp"
 #include "scenes/places.hpp"
 #include "scenes/raise.hpp"
 #include "scenes/shapes.hpp"
@@ -120,6 +121,10 @@ std::vector<std::string> SpaceShapes::remarks(const Shape& shape) {
     if (shape.approximate)
         lines.push_back(shape.name + ": volume, centre and inertia are approximate");
     return lines;
+}
+
+std::shared_ptr<const lod::ExactShape<3>> SpaceShapes::exact_of(const Shape& shape) {
+    return std::make_shared<lod3d::Surface>(shape);
 }
 
 SpaceShapes::Border SpaceShapes::border_of(const Shape& shape) {

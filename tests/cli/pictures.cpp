@@ -29,7 +29,7 @@ TEST_CASE("several outs are written, each in the format of its ending") {
 
 TEST_CASE("every figure of the paper is drawn without a display") {
     const Scratch scratch;
-    const std::string number = GENERATE("1", "2", "3", "4", "9");
+    const std::string number = GENERATE("1", "2", "3", "4", "5", "9");
     Start start;
     start.folder = scratch.path();
     start.environment = {"PATH=/usr/bin:/bin", "HOME=/nonexistent"};  // no DISPLAY

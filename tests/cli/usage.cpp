@@ -65,8 +65,8 @@ TEST_CASE("an ending that no format has is refused before any work") {
 }
 
 TEST_CASE("a figure that does not exist names those that do") {
-    check_misuse({"figure", "5", "--out", "a.png"}, "1, 2, 3, 4 and 9");
-    check_misuse({"figure", "77", "--out", "a.png"}, "1, 2, 3, 4 and 9");
+    check_misuse({"figure", "6", "--out", "a.png"}, "1, 2, 3, 4, 5 and 9");
+    check_misuse({"figure", "77", "--out", "a.png"}, "1, 2, 3, 4, 5 and 9");
 }
 
 TEST_CASE("the completion names every command and its options") {

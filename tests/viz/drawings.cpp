@@ -1,12 +1,15 @@
 #include <set>
 
 #include "core/error.hpp"
+#include "lod2d/outline.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/sample_scene.hpp"
+#include "viz/draw_backtracking.hpp"
 #include "viz/draw_contacts.hpp"
 #include "viz/draw_motion.hpp"
 #include "viz/draw_traversal.hpp"
 #include "viz/draw_tree.hpp"
+#include "viz/number_text.hpp"
 
 using namespace viz;
 
@@ -186,4 +189,30 @@ TEST_CASE("a simulation's picture tells time and energy", "[drawings]") {
     const Animation animation =
         simulation_motion(run, {.frames_per_second = 30, .title = {}, .caption = {}});
     CHECK(frame_count(animation) == 31);
+}
+
+TEST_CASE("inappropriate backtracking shows both moments and the bodies apart", "[drawings]") {
+    const auto passing = [](double x, double y, double speed) {
+        Actor<2> actor = sample::actor("rod:2,0.2", x, y, 0, 3);
+        actor.body.exact = std::make_shared<lod2d::ExactOutline>(lod2d::generate("rod:2,0.2"));
+        actor.body.velocity = {speed, 0};
+        return actor;
+    };
+    const Actor<2> a = passing(-2, 0, 1);
+    const Figure figure =
+        inappropriate_backtracking<2>(a, passing(2, 0.6, -1), {.level = 0, .horizon = 4});
+    REQUIRE(figure.panels.size() == 3);
+    CHECK(discs_of(figure.panels[0], Role::meeting_node) == 2);
+    CHECK(discs_of(figure.panels[1], Role::meeting_node) == 0);
+    CHECK(marks_of<Dot>(figure.panels[1], Role::contact) == 1);
+    CHECK(discs_of(figure.panels[2], Role::node) == 0);
+    CHECK(figure.numbers[1].value == length_text(0.4));
+    CHECK(figure.alt.find("never touch") != std::string::npos);
+    // Nothing is inappropriate where the bodies collide, or where the nodes don't.
+    CHECK_THROWS_AS(
+        (inappropriate_backtracking<2>(a, passing(2, 0.1, -1), {.level = 0, .horizon = 4})),
+        lod::Error);
+    CHECK_THROWS_AS(
+        (inappropriate_backtracking<2>(a, passing(2, 5, -1), {.level = 0, .horizon = 4})),
+        lod::Error);
 }
