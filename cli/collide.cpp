@@ -48,6 +48,10 @@ Json result_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& instant) {
                               {"intersecting", front.pairs.size()}});
             before = front.tests;
         }
+        if (pair.finest != lod::Finest::leaves)
+            levels.push_back({{"level", "exact"},
+                              {"tests", pair.tests - before},
+                              {"intersecting", pair.contact_count > 0 ? 1 : 0}});
         pairs.push_back({{"a", name_of(setup, pair.bodies.a)},
                          {"b", name_of(setup, pair.bodies.b)},
                          {"verdict", verdict_names[static_cast<std::size_t>(pair.verdict)]},
@@ -70,6 +74,8 @@ std::string report_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& insta
             text += "    level " + std::to_string(front.level) + ": " +
                     std::to_string(front.pairs.size()) + " intersecting node pairs after " +
                     std::to_string(front.tests) + " tests\n";
+        if (pair.finest != lod::Finest::leaves)
+            text += "    exact: " + std::to_string(pair.contact_count) + " contacts\n";
     }
     return text;
 }

@@ -40,6 +40,7 @@ struct Options {
     std::string response;
     std::string point_model;
     std::string contact_model;
+    std::string finest;
     std::string picture;  ///< of simulate: "strip", "plot"; empty: what suits the scene
     std::string trace;
     std::string replay;

@@ -82,6 +82,7 @@ const Row rows[] = {
     {"--responses", [](CLI::App& a, Options& o) { a.add_option("--responses", o.responses, "responses, parted by commas; without it net")->type_name("RESPONSE,..."); }},
     {"--share", [](CLI::App& a, Options& o) { a.add_option("--share", o.share, "do one share of the impacts only, as in 3/8")->type_name("I/N")->capture_default_str(); }},
     {"--merge", [](CLI::App& a, Options& o) { a.add_option("--merge", o.merge, "put shares together that --out FILE.json wrote")->type_name("FILE"); }},
+    {"--finest", [](CLI::App& a, Options& o) { a.add_option("--finest", o.finest, "what follows the leaves")->check(one_of({scenes::finest_names.begin(), scenes::finest_names.end()})); }},
     {"--strip", [](CLI::App& a, Options& o) { a.add_flag_callback("--strip", [&o] { o.picture = "strip"; }, "still pictures show start, collision and after (two bodies: the default)"); }},
     {"--plot", [](CLI::App& a, Options& o) { a.add_flag_callback("--plot", [&o] { o.picture = "plot"; }, "still pictures show energy and momentum over time"); }},
     {"--out", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "write a file, its format by its ending; may be given several times")->type_name("FILE")->expected(1)->take_all(); }},

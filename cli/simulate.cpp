@@ -29,6 +29,8 @@ Json result_of(const scenes::Run<Dim>& run, const scenes::Summary& summary) {
         {"tests", summary.tests},
         {"contacts", summary.contacts},
         {"interrupted_frames", summary.interrupted_frames},
+        {"exact_pairs", summary.exact_pairs},
+        {"backtracked_pairs", summary.backtracked_pairs},
         {"level_reached",
          {{"min", or_null(summary.level_min)},
           {"median", or_null(summary.level_median)},
@@ -51,6 +53,9 @@ std::string report_of(const scenes::Scene& scene, const scenes::Run<Dim>& run,
         text += "  level reached by colliding pairs: " + std::to_string(summary.level_min) +
                 " to " + std::to_string(summary.level_max) + ", median " +
                 std::to_string(summary.level_median) + "\n";
+    if (summary.exact_pairs > 0)
+        text += "  exact contact for " + std::to_string(summary.exact_pairs) + " pairs, " +
+                std::to_string(summary.backtracked_pairs) + " of them backtracked\n";
     text += "  kinetic energy " + readable(run.energy_start) + " J -> " + readable(run.energy_end) +
             " J\n";
     text += "  momentum " + in_brackets(run.momentum_start) + " -> " +
@@ -64,7 +69,8 @@ std::string report_of(const scenes::Scene& scene, const scenes::Run<Dim>& run,
 void check_replay(const Options& options) {
     const bool other = options.level || options.budget || options.milliseconds ||
                        options.duration || !options.response.empty() ||
-                       !options.point_model.empty() || !options.contact_model.empty();
+                       !options.point_model.empty() || !options.contact_model.empty() ||
+                       !options.finest.empty();
     if (!options.replay.empty() && other)
         throw lod::Error(lod::ErrorKind::usage,
                          "a replay takes its limit, duration and models from the trace; drop "

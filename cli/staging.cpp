@@ -46,6 +46,7 @@ scenes::Scene scene_of(const Options& options) {
     override_choice(options.response, scenes::response_names, scene.response);
     override_choice(options.contact_model, scenes::contact_model_names, scene.contact_model);
     override_choice(options.point_model, scenes::point_model_names, scene.point_model);
+    override_choice(options.finest, scenes::finest_names, scene.finest.level);
     if (options.duration) scene.duration = *options.duration;
     return scene;
 }

@@ -82,6 +82,7 @@ lod::FrameSettings frame_settings(const Scene& scene, const Limits& limits) {
     settings.point_model = scene.point_model;
     settings.response = scene.response;
     settings.priority = scene.priority;
+    settings.finest = scene.finest;
     return settings;
 }
 
@@ -125,8 +126,11 @@ Summary summarise(const Run<Dim>& run) {
         summary.tests += step.record.tests;
         summary.contacts += step.record.impacts.size();
         summary.interrupted_frames += step.record.interrupted ? 1 : 0;
-        for (const lod::PairRecord& pair : step.record.pairs)
+        for (const lod::PairRecord& pair : step.record.pairs) {
+            summary.exact_pairs += pair.finest != lod::Finest::leaves ? 1 : 0;
+            summary.backtracked_pairs += pair.finest == lod::Finest::backtrack ? 1 : 0;
             if (pair.verdict != lod::Verdict::apart) levels.push_back(pair.level);
+        }
         milliseconds.push_back(static_cast<double>(step.taken.count()) * 1e-6);
     }
     if (!levels.empty()) {

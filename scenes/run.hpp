@@ -80,6 +80,8 @@ struct Summary {
     std::uint64_t tests = 0;
     std::uint64_t contacts = 0;  ///< handed to the response, over all frames
     int interrupted_frames = 0;
+    std::uint64_t exact_pairs = 0;        ///< that got exact contact, over all frames
+    std::uint64_t backtracked_pairs = 0;  ///< of these: that responded at their time of impact
     /// Last finished level of the pairs whose nodes still overlapped there: those that the response
     /// treated as colliding. All -1 when there was none.
     int level_min = -1;

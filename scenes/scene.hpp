@@ -70,6 +70,7 @@ struct Scene {
     lod::ContactModel contact_model = lod::ContactModel::centre_line;
     lod::PointModel point_model = lod::PointModel::radius_ratio;
     lod::Priority priority = lod::Priority::closing_speed;
+    lod::FinestDetail finest;      ///< beyond the leaves
     std::optional<Camera> camera;  ///< nothing: pictures frame all that moves
 
     [[nodiscard]] std::int64_t frames() const;  ///< steps that cover the duration, at least 1
@@ -101,6 +102,7 @@ inline constexpr std::array<std::string_view, 6> response_names{"net",        "s
 inline constexpr std::array<std::string_view, 2> contact_model_names{"centre_line", "node_normal"};
 inline constexpr std::array<std::string_view, 2> point_model_names{"radius_ratio",
                                                                    "plane_of_intersection"};
+inline constexpr std::array<std::string_view, 3> finest_names{"leaves", "exact", "backtrack"};
 inline constexpr std::array<std::string_view, 2> priority_names{"in_order", "closing_speed"};
 
 }  // namespace scenes

@@ -100,6 +100,8 @@ Json pairs(const lod::FrameRecord<Dim>& record) {
                         {"level", pair.level},
                         {"verdict", verdict_names[static_cast<std::size_t>(pair.verdict)]},
                         {"tests", pair.tests},
+                        {"finest", finest_names[static_cast<std::size_t>(pair.finest)]},
+                        {"impact_time", pair.impact_time},
                         {"contacts", std::move(contacts)}});
     }
     return list;
@@ -112,7 +114,12 @@ Json settings_json(const lod::FrameSettings& settings) {
         {"response", response_names[static_cast<std::size_t>(settings.response)]},
         {"contact_model", contact_model_names[static_cast<std::size_t>(settings.contact_model)]},
         {"point_model", point_model_names[static_cast<std::size_t>(settings.point_model)]},
-        {"priority", priority_names[static_cast<std::size_t>(settings.priority)]}};
+        {"priority", priority_names[static_cast<std::size_t>(settings.priority)]},
+        {"finest",
+         {{"level", finest_names[static_cast<std::size_t>(settings.finest.level)]},
+          {"most_pairs", settings.finest.most_pairs},
+          {"cost", settings.finest.cost},
+          {"tolerance", settings.finest.tolerance}}}};
 }
 
 template <class Choice, std::size_t n>
@@ -128,6 +135,15 @@ lod::FrameSettings settings_from(const Json& json) {
     settings.time_step = json.at("time_step").get<double>();
     settings.deepest_level = json.at("deepest_level").get<int>();
     settings.response = choice<lod::Response>(json.at("response"), response_names);
+    if (json.contains("finest")) {  // traces from before there was one have none
+        const Json& finest = json.at("finest");
+        settings.finest.level = choice<lod::Finest>(finest.at("level"), finest_names);
+        settings.finest.most_pairs = finest.at("most_pairs").get<int>();
+        settings.finest.cost = finest.at("cost").get<std::uint64_t>();
+        settings.finest.tolerance = finest.at("tolerance").get<double>();
+        if (!(settings.finest.tolerance > 0))
+            throw std::invalid_argument("tolerance is out of range");
+    }
     if (json.contains("contact_model"))  // traces from before there was a choice have none
         settings.contact_model =
             choice<lod::ContactModel>(json.at("contact_model"), contact_model_names);
