@@ -8,7 +8,6 @@
 #include "cli/progress.hpp"
 #include "cli/staging.hpp"
 #include "core/error.hpp"
-#include "lod2d/outline.hpp"
 
 namespace cli {
 namespace {
@@ -223,10 +222,7 @@ void run_compare(const Options& options) {
         throw lod::Error(lod::ErrorKind::usage, scene.name +
                                                     " is a scene of space, and Box2D is of the "
                                                     "plane; compare a scene of the plane");
-    scenes::Setup<2> setup = stage<2>(scene, options);
-    for (std::size_t i = 0; i < setup.bodies.size(); ++i)
-        if (!setup.bodies[i].exact)
-            setup.bodies[i].exact = std::make_shared<lod2d::ExactOutline>(*setup.shapes[i]);
+    const scenes::Setup<2> setup = stage<2>(scene, options);
     const Comparison comparison = compared(setup);
     write_outputs(options, drawing_of(setup, comparison));
     if (options.json)
