@@ -9,6 +9,7 @@
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
 #include "core/error.hpp"
+#include "viz/draw_projection.hpp"
 #include "viz/draw_traversal.hpp"
 
 namespace cli {
@@ -80,9 +81,23 @@ std::string report_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& insta
     return text;
 }
 
+viz::Figure projected(const viz::Actor<3>& a, const viz::Actor<3>& b,
+                      const std::vector<lod::Front>& fronts) {
+    const auto last = std::find_if(fronts.rbegin(), fronts.rend(),
+                                   [](const lod::Front& front) { return !front.pairs.empty(); });
+    if (last == fronts.rend())
+        throw lod::Error(lod::ErrorKind::input_refused,
+                         "no spheres intersect at that instant; choose another by --at");
+    return viz::projected_collision(a, b, *last);
+}
+viz::Figure projected(const viz::Actor<2>&, const viz::Actor<2>&, const std::vector<lod::Front>&) {
+    throw lod::Error(lod::ErrorKind::usage, "the scene lies in a plane already; drop --projected");
+}
+
 /// The traversal of the pair that took the most tests: the one worth a look.
 template <int Dim>
-viz::Figure figure_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& instant) {
+viz::Figure figure_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& instant,
+                      bool is_projected) {
     const auto& pairs = instant.record.pairs;
     const auto busiest = std::max_element(
         pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.tests < y.tests; });
@@ -91,9 +106,11 @@ viz::Figure figure_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& insta
             lod::ErrorKind::input_refused,
             "no two bodies come near each other at " + readable(instant.time) +
                 " s, so there is no traversal to draw; choose another instant by --at");
-    return viz::traversal<Dim>(actor_of(setup, instant.bodies, busiest->bodies.a),
-                               actor_of(setup, instant.bodies, busiest->bodies.b),
-                               levels_of(instant, *busiest), {}, viewpoint_of<Dim>(setup.scene));
+    const viz::Actor<Dim> a = actor_of(setup, instant.bodies, busiest->bodies.a);
+    const viz::Actor<Dim> b = actor_of(setup, instant.bodies, busiest->bodies.b);
+    const std::vector<lod::Front> fronts = levels_of(instant, *busiest);
+    if (is_projected) return projected(a, b, fronts);
+    return viz::traversal<Dim>(a, b, fronts, {}, viewpoint_of<Dim>(setup.scene));
 }
 
 template <int Dim>
@@ -101,7 +118,7 @@ void collide(const scenes::Scene& scene, const Options& options) {
     const scenes::Setup<Dim> setup = stage<Dim>(scene, options);
     const Instant<Dim> instant = instant_of(setup, options);
     Drawing drawing;
-    drawing.figure = [&] { return figure_of(setup, instant); };
+    drawing.figure = [&] { return figure_of(setup, instant, options.projected); };
     write_outputs(options, drawing);
     if (options.json)
         print(result_of(setup, instant));

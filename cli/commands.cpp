@@ -11,7 +11,7 @@ constexpr Command table[] = {
      "--out --no-cache --raise-limits --theme --quality --json", run_tree},
     {"collide", "One instant: intersecting nodes of each level, contacts, verdict",
      "lodlab collide offset_boxes --level 3 --out traversal.svg",
-     "SCENE --at --level --out --no-cache --raise-limits --theme --quality --json", run_collide},
+     "SCENE --at --level --projected --out --no-cache --raise-limits --theme --quality --json", run_collide},
     {"simulate", "Run a scene under a level or a budget: video, strip, plot, trace",
      "lodlab simulate figure9 --level 2 --out strip.png --out run.mp4 --json",
      "SCENE --level --budget --milliseconds --duration --response --contact-model --point-model --finest --strip --plot "

@@ -41,7 +41,8 @@ struct Options {
     std::string point_model;
     std::string contact_model;
     std::string finest;
-    std::string picture;  ///< of simulate: "strip", "plot"; empty: what suits the scene
+    bool projected = false;  ///< the picture of collide, in space
+    std::string picture;     ///< of simulate: "strip", "plot"; empty: what suits the scene
     std::string trace;
     std::string replay;
     double raise_limits = 1;

@@ -13,6 +13,7 @@
 #include "lod3d/export_spheres.hpp"
 #include "scenes/shapes.hpp"
 #include "viz/draw_tree.hpp"
+#include "viz/draw_turntable.hpp"
 
 namespace cli {
 namespace {
@@ -114,6 +115,12 @@ void add_sphere_exports(const lod3d::Solid& solid, const lod::SphereTree<3>& tre
 void add_sphere_exports(const lod2d::Shape&, const lod::SphereTree<2>&, const Options&,
                         std::vector<Export>&) {}
 
+/// A solid turns while its tree passes; the plane has nothing to turn.
+void add_film(const viz::Actor<3>& actor, Drawing& drawing) {
+    drawing.animation = [&actor] { return viz::turntable(actor); };
+}
+void add_film(const viz::Actor<2>&, Drawing&) {}
+
 template <int Dim>
 std::shared_ptr<const lod::SphereTree<Dim>> built(const scenes::Shape<Dim>& shape,
                                                   const scenes::TreeChoice& choice,
@@ -134,15 +141,17 @@ void tree(const Options& options) {
     const scenes::Shape<Dim> shape =
         Shapes::named(options.shape, {options.size, options.fill, options.raise_limits});
     for (const std::string& line : Shapes::remarks(shape)) remark(line);
-    lod::Body<Dim> body;
-    body.tree = built<Dim>(shape, choice, cache_of(options));
+    viz::Actor<Dim> actor{{shape.name, {}}, {}};
+    actor.body.tree = built<Dim>(shape, choice, cache_of(options));
     Drawing drawing;
-    drawing.figure = [&] { return viz::tree_levels<Dim>({look_of<Dim>(shape, shape.name), body}); };
-    add_sphere_exports(shape, *body.tree, options, drawing.exports);
+    if (!options.out.empty()) actor.look = look_of<Dim>(shape, shape.name);
+    drawing.figure = [&] { return viz::tree_levels<Dim>(actor); };
+    add_film(actor, drawing);
+    add_sphere_exports(shape, *actor.body.tree, options, drawing.exports);
     drawing.exports.push_back(
-        {".json", [&](const std::string& path) { io::save_tree(path, *body.tree); }});
+        {".json", [&](const std::string& path) { io::save_tree(path, *actor.body.tree); }});
     write_outputs(options, drawing);
-    const lod::TreeReport report = Shapes::report(shape, *body.tree);
+    const lod::TreeReport report = Shapes::report(shape, *actor.body.tree);
     const std::string builder =
         options.builder.empty() ? std::string(Shapes::builders().front()) : options.builder;
     if (options.json)
@@ -159,7 +168,7 @@ void run_tree(const Options& options) {
         throw lod::Error(lod::ErrorKind::usage,
                          "no shape given; name one, or lodlab tree --list shows what there is");
     const int dim = options.dim.value_or(scenes::dimension_of(options.shape));
-    Formats formats{.exports = {".json"}};
+    Formats formats{.video = dim == 3, .exports = {".json"}};
     if (dim == 3) formats.exports = {".spheres.json", ".sph", ".urdf", ".json"};
     check_outputs(options, formats);
     in_dimension(dim, [&](auto constant) { tree<constant()>(options); });

@@ -172,6 +172,8 @@ TEST_CASE("what is nonsense in space is refused in one line") {
     check_failure({"tree", scratch.write("torn.glb", "glTF\x02")}, 3, "torn.glb");
     check_failure({"tree", "package:nothing/bunny.obj"}, 3, "no such package");
     check_failure({"tree", "package:glmark2-data/../x.obj"}, 3, "names no file of the package");
+    check_failure({"collide", "offset_boxes", "--projected", "--out", scratch / "f.png"}, 2,
+                  "drop --projected");
     check_failure({"figure", "4", "--dim", "3"}, 2, "leave --dim 3 out");
     const std::string flat =
         scratch.write("flat.toml", "dim = 3\n[[body]]\nshape = \"box\"\nposition = [1, 2]\n");
@@ -219,5 +221,7 @@ TEST_CASE("space is drawn: a tree, a traversal, a strip") {
     drawn({"collide", "near_miss_in_space"});
     drawn({"simulate", "knot_meets_ring", "--level", "2"});
     drawn({"simulate", "offset_balls", "--plot"});
+    drawn({"collide", "knot_meets_ring", "--projected"});
+    drawn({"figure", "2", "--dim", "3"});
     drawn({"figure", "3", "--dim", "3"});
 }
