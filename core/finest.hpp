@@ -24,8 +24,8 @@ struct FinestDetail {
     Finest level = Finest::leaves;
     int most_pairs = 8;  ///< of a frame, the first in the order of priority
     /// Node tests that one pair's exact query counts as in the budget. No such query has a fixed
-    /// price (section 3): this is what one of two gears of 36 edges takes, see bench/README.md. A
-    /// deadline is checked before each query, and one query may overrun it.
+    /// price (section 3): this is about what one of two gears takes, some 10 us. A deadline is
+    /// checked before each query, and one query may overrun it.
     std::uint64_t cost = 2000;
     double tolerance = 1e-9;  ///< of touching [m], see ImpactSettings
 };

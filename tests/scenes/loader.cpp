@@ -57,6 +57,8 @@ duration = 1
 level = 3
 response = "mean"
 contact_model = "node_normal"
+finest = "backtrack"
+finest_pairs = 3
 point_model = "plane_of_intersection"
 priority = "in_order"
 restitution = 0.5
@@ -99,6 +101,8 @@ TEST_CASE("every key of the scene arrives in its field") {
     CHECK_FALSE(scene.limits.node_tests);
     CHECK(scene.response == lod::Response::mean);
     CHECK(scene.contact_model == lod::ContactModel::node_normal);
+    CHECK(scene.finest.level == lod::Finest::backtrack);
+    CHECK(scene.finest.most_pairs == 3);
     CHECK(scene.point_model == lod::PointModel::plane_of_intersection);
     CHECK(scene.priority == lod::Priority::in_order);
     REQUIRE(scene.camera);

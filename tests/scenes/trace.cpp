@@ -33,6 +33,7 @@ scenes::Run<2> budgeted_run() {
     options.settings.time_step = 1.0 / 240;
     options.settings.response = lod::Response::mean;
     options.settings.contact_model = lod::ContactModel::node_normal;
+    options.settings.finest = {lod::Finest::backtrack, 5, 700, 1e-8};
     options.limits.node_tests = 20;
     return scenes::run(crossing(), options);
 }
@@ -60,6 +61,10 @@ TEST_CASE("a trace plays again to the same bits") {
     CHECK(trace.scene == "crossing");
     CHECK(trace.settings.response == lod::Response::mean);
     CHECK(trace.settings.contact_model == lod::ContactModel::node_normal);
+    CHECK(trace.settings.finest.level == lod::Finest::backtrack);
+    CHECK(trace.settings.finest.most_pairs == 5);
+    CHECK(trace.settings.finest.cost == 700);
+    CHECK(trace.settings.finest.tolerance == 1e-8);
     CHECK(trace.settings.time_step == 1.0 / 240);
     REQUIRE(trace.cuts.size() == 500);
     const scenes::Run<2> again = scenes::replay<2>(trace, crossing(), {});
