@@ -14,7 +14,7 @@ namespace lod {
 struct FrameSettings {
     double time_step = 1.0 / 120;  ///< [s], > 0
     int deepest_level = 1000;      ///< refinement stops after this level
-    ContactModel contact_model = ContactModel::centre_line;
+    ContactModel contact_model = ContactModel::node_normal;
     PointModel point_model = PointModel::radius_ratio;
     Response response = Response::net;
     Priority priority = Priority::closing_speed;

@@ -67,7 +67,7 @@ struct Scene {
     double duration = 2;           ///< [s]
     Limits limits;
     lod::Response response = lod::Response::net;
-    lod::ContactModel contact_model = lod::ContactModel::centre_line;
+    lod::ContactModel contact_model = lod::ContactModel::node_normal;
     lod::PointModel point_model = lod::PointModel::radius_ratio;
     lod::Priority priority = lod::Priority::closing_speed;
     lod::FinestDetail finest;      ///< beyond the leaves

@@ -144,9 +144,10 @@ lod::FrameSettings settings_from(const Json& json) {
         if (!(settings.finest.tolerance > 0))
             throw std::invalid_argument("tolerance is out of range");
     }
-    if (json.contains("contact_model"))  // traces from before there was a choice have none
-        settings.contact_model =
-            choice<lod::ContactModel>(json.at("contact_model"), contact_model_names);
+    settings.contact_model =
+        json.contains("contact_model")
+            ? choice<lod::ContactModel>(json.at("contact_model"), contact_model_names)
+            : lod::ContactModel::centre_line;  // traces from before there was a choice
     settings.point_model = choice<lod::PointModel>(json.at("point_model"), point_model_names);
     settings.priority = choice<lod::Priority>(json.at("priority"), priority_names);
     if (!(settings.time_step > 0 && settings.time_step <= 1))

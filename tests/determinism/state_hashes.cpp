@@ -112,10 +112,9 @@ void add_crowds(const std::string& where, Report& report) {
     report.add("crowd in " + where, crowd<Dim>(settings, lod::Budget::unlimited()));
     report.add("crowd in " + where + ", 100 node tests a frame",
                crowd<Dim>(settings, lod::Budget::node_tests(100)));
-    settings.contact_model = lod::ContactModel::node_normal;
-    report.add("crowd in " + where + ", node normals",
-               crowd<Dim>(settings, lod::Budget::unlimited()));
     settings.contact_model = lod::ContactModel::centre_line;
+    report.add("crowd in " + where + ", centre line",
+               crowd<Dim>(settings, lod::Budget::unlimited()));
     settings.point_model = lod::PointModel::plane_of_intersection;
     settings.response = lod::Response::mean;
     report.add("crowd in " + where + ", plane of intersection, mean of impulses",
