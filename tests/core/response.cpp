@@ -228,6 +228,51 @@ TEMPLATE_TEST_CASE_SIG("a box that falls flat shows what sum, mean and net make 
     }
 }
 
+TEMPLATE_TEST_CASE_SIG("every response keeps momentum and angular momentum", "[response]",
+                       ((int Dim), Dim), 2, 3) {
+    Random random(53);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Crowd<Dim> crowd(random, 2 + random.below(3), 1 + random.below(12), Normals::facing);
+        for (const Response response :
+             {Response::net, Response::sum, Response::mean, Response::sequential, Response::lcp,
+              Response::reflections}) {
+            auto bodies = crowd.bodies;
+            resolve<Dim>(response, crowd.impacts, bodies);
+            CHECK(Totals<Dim>(bodies).change(Totals<Dim>(crowd.bodies)) <= 1e-12);
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("only the sum of impulses ever adds energy", "[response]", ((int Dim), Dim),
+                       2, 3) {
+    Random random(54);
+    for (int trial = 0; trial < 300; ++trial) {
+        Crowd<Dim> crowd(random, 2, 1 + random.below(12), Normals::facing);
+        crowd.bodies[0].restitution = trial % 2 ? random.in(0, 1) : 1;
+        const double before = energy(crowd.bodies);
+        for (const Response response :
+             {Response::mean, Response::sequential, Response::lcp, Response::reflections}) {
+            auto bodies = crowd.bodies;
+            resolve<Dim>(response, crowd.impacts, bodies);
+            CHECK(energy(bodies) <= before * (1 + 1e-9));
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("references bounce a box that falls flat with the energy that it had",
+                       "[response]", ((int Dim), Dim), 2, 3) {
+    Random random(55);
+    for (const int contacts : {2, 3, 4, 16, 64}) {
+        const Crowd<Dim> crowd = falling_box<Dim>(random, contacts);
+        for (const Response response :
+             {Response::sequential, Response::lcp, Response::reflections}) {
+            auto bodies = crowd.bodies;
+            resolve<Dim>(response, crowd.impacts, bodies);
+            CHECK(std::abs(energy(bodies) / 0.5 - 1) <= 1e-9);
+        }
+    }
+}
+
 TEMPLATE_TEST_CASE_SIG("a static body takes any impulse and stays where it is", "[response]",
                        ((int Dim), Dim), 2, 3) {
     Random random(46);
