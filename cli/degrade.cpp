@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
@@ -234,6 +235,20 @@ std::string report_of(const measure::Plan& plan,
            "delay: of the push after the exact impact\n";
 }
 
+/// "box, L and star:5", or how many there are; a file by its name alone.
+std::string listed_shapes(const std::vector<std::string>& shapes) {
+    constexpr std::size_t most_named = 6;
+    if (shapes.size() > most_named) return std::to_string(shapes.size()) + ".";
+    std::string text;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        if (i > 0) text += i + 1 < shapes.size() ? ", " : " and ";
+        const std::filesystem::path path = shapes[i];
+        text +=
+            viz::literal_text(std::filesystem::exists(path) ? path.filename().string() : shapes[i]);
+    }
+    return text + ".";
+}
+
 viz::Figure figure_of(const measure::Outcomes& outcomes,
                       const std::vector<measure::DegradationCurve>& curves) {
     std::vector<viz::Curve> drawn;
@@ -260,11 +275,9 @@ viz::Figure figure_of(const measure::Outcomes& outcomes,
     axes.y.label = "error of the impulse";
     axes.y.scale = viz::Scale::logarithmic;
     std::string caption =
-        "Random impacts of two bodies against the exact answer: median, and the "
-        "band from the 10th to the 90th percentile. Shapes: ";
-    for (std::size_t i = 0; i < outcomes.plan.shapes.size() && i < 6; ++i)
-        caption.append(i > 0 ? ", " : "").append(outcomes.plan.shapes[i]);
-    caption += outcomes.plan.shapes.size() > 6 ? ", ..." : ".";
+        "Random impacts against the exact answer: median, and the band from the "
+        "10th to the 90th percentile. Shapes: ";
+    caption += listed_shapes(outcomes.plan.shapes);
     return viz::plot("How far each level is from the exact answer", axes, drawn, caption,
                      static_cast<long long>(outcomes.impacts.size()));
 }
