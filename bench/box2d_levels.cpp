@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
     lod2d::TreeSettings settings;
     if (argc > 1) settings.builder = lod2d::builder_named(argv[1]);
     settings.depth = argc > 2 ? std::atoi(argv[2]) : 4;
-    std::printf("builder %s, contact normals along the centre line; error of the velocities\n",
+    std::printf("builder %s, contact normals of the nodes; error of the velocities\n",
                 std::string(lod2d::builder_name(settings.builder)).c_str());
     std::vector<Pair> pairs;
     for (const auto& [a, b] : {std::pair{"gear:9", "star:5"},
