@@ -1,6 +1,4 @@
 // Queries of two posed meshes: level by level by their sphere trees, and exactly by FCL.
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
@@ -13,23 +11,11 @@
 #include "core/random.hpp"
 #include "core/traversal.hpp"
 #include "lod3d/intersect.hpp"
+#include "tests/lod3d/fcl_oracle.hpp"
+#include "tests/lod3d/random_pose.hpp"
 
 namespace bench {
 namespace {
-
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
-std::shared_ptr<Model> fcl_model(const lod3d::Mesh& mesh) {
-    std::vector<fcl::Triangle> triangles;
-    for (const lod3d::Triangle& t : mesh.triangles)
-        triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
-                               static_cast<std::size_t>(t[2]));
-    auto model = std::make_shared<Model>();
-    model->beginModel();
-    model->addSubModel(mesh.vertices, triangles);
-    model->endModel();
-    return model;
-}
 
 /// Two bodies of one solid at random: turned any way, their centres up to a diameter apart.
 struct Meeting {
@@ -41,14 +27,6 @@ struct Meeting {
     fcl::Transform3d fcl_b;
 };
 
-lod3d::Point random_direction(lod::Random& random) {
-    lod3d::Point p;
-    do
-        for (int d = 0; d < 3; ++d) p[d] = random.next(-1, 1);
-    while (p.squaredNorm() > 1 || p.squaredNorm() < 1e-4);
-    return p.normalized();
-}
-
 std::vector<Meeting> random_meetings(const std::shared_ptr<const lod::SphereTree<3>>& tree,
                                      double diameter, int count) {
     lod::Random random(20260701);
@@ -57,8 +35,7 @@ std::vector<Meeting> random_meetings(const std::shared_ptr<const lod::SphereTree
         lod::Body<3> body;
         body.tree = tree;
         body.position = position;
-        body.orientation = Eigen::Quaterniond(
-            Eigen::AngleAxisd(random.next(0, 6.283185), random_direction(random)));
+        body.orientation = random_orientation(random);
         return body;
     };
     for (int i = 0; i < count; ++i) {
@@ -68,9 +45,7 @@ std::vector<Meeting> random_meetings(const std::shared_ptr<const lod::SphereTree
         const auto pose = [](const lod::Body<3>& body, lod3d::Pose& ours,
                              fcl::Transform3d& theirs) {
             ours = {lod::Space<3>::rotation(body.orientation), body.position};
-            theirs = fcl::Transform3d::Identity();
-            theirs.linear() = ours.rotation;
-            theirs.translation() = ours.position;
+            theirs = lodtest::fcl_pose(ours.rotation, ours.position);
         };
         pose(m.a, m.pose_a, m.fcl_a);
         pose(m.b, m.pose_b, m.fcl_b);
@@ -107,7 +82,7 @@ struct Truth {
 };
 
 std::vector<Truth> find_truth(const std::vector<Meeting>& meetings,
-                              const std::shared_ptr<Model>& model) {
+                              const std::shared_ptr<lodtest::FclModel>& model) {
     std::vector<Truth> truth;
     for (const Meeting& m : meetings) {
         fcl::CollisionResultd hit;
@@ -151,7 +126,7 @@ void query_pairs(const lod3d::Solid& solid, int pairs) {
     const auto tree = std::make_shared<lod::SphereTree<3>>(lod3d::build_sphere_tree(solid));
     const lod::TreeReport report = lod3d::report_sphere_tree(solid, *tree);
     const auto meetings = random_meetings(tree, report.bounding_diameter, pairs);
-    const auto model = fcl_model(solid.mesh);
+    const auto model = lodtest::fcl_model(solid.mesh);
     const auto truth = find_truth(meetings, model);
     const auto touching =
         std::count_if(truth.begin(), truth.end(), [](const Truth& t) { return t.touching; });

@@ -20,7 +20,8 @@ std::shared_ptr<const SphereTree<Dim>> cube_tree(int deep) {
     std::vector<TreeNode<Dim>> nodes;
     const auto add = [&](auto&& self, const Vector<Dim>& middle, double half, int levels) -> int {
         const int number = static_cast<int>(nodes.size());
-        nodes.push_back({{middle, half * Vector<Dim>::Ones().norm()}, Vector<Dim>::Zero(), {}});
+        nodes.push_back(
+            {{middle, half * Vector<Dim>::Constant(1).norm()}, Vector<Dim>::Zero(), {}});
         for (int corner = 0; levels > 0 && corner < (1 << Dim); ++corner) {
             Vector<Dim> step;
             for (int d = 0; d < Dim; ++d) step[d] = corner >> d & 1 ? half / 2 : -half / 2;

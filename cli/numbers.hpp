@@ -1,19 +1,21 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
+
+#include "core/linear.hpp"
 
 namespace cli {
 
 /// [x, y] or [x, y, z].
-[[nodiscard]] nlohmann::ordered_json list_of(const Eigen::Ref<const Eigen::VectorXd>& vector);
+[[nodiscard]] nlohmann::ordered_json list_of(std::span<const double> vector);
 
 /// A moment: a number in the plane, the rows of a matrix in space.
-[[nodiscard]] nlohmann::ordered_json moment_of(const Eigen::Ref<const Eigen::MatrixXd>& moment);
+template <int Size>
+[[nodiscard]] nlohmann::ordered_json moment_of(const lod::FixedMatrix<Size, Size>& moment);
 
 /// "(1, 2)": the numbers as a reader wants them.
-[[nodiscard]] std::string in_brackets(const Eigen::Ref<const Eigen::VectorXd>& vector,
-                                      int digits = 6);
+[[nodiscard]] std::string in_brackets(std::span<const double> vector, int digits = 6);
 
 }  // namespace cli

@@ -1,10 +1,9 @@
 #include "core/body.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/solvers.hpp"
 
 namespace lod {
 
@@ -14,13 +13,12 @@ void set_mass(Body<Dim>& body, double mass, const Inertia<Dim>& inertia) {
         throw Error(ErrorKind::input_refused, "mass must be a finite number above 0, not " +
                                                   std::to_string(mass) +
                                                   "; for a body that never moves say static");
-    const Eigen::LLT<Inertia<Dim>> factor(inertia);
-    if (!inertia.allFinite() || factor.info() != Eigen::Success)
+    if (!is_positive_definite(inertia))
         throw Error(ErrorKind::input_refused,
                     "inertia must be finite and positive definite; give the shape some extent");
     body.inverse_mass = 1 / mass;
     body.inertia = inertia;
-    body.inverse_inertia = inertia.inverse();
+    body.inverse_inertia = inverse(inertia);
 }
 
 template <int Dim>
@@ -36,7 +34,7 @@ namespace {
 bool all_finite(double angle) {
     return std::isfinite(angle);
 }
-bool all_finite(const Eigen::Quaterniond& q) {
+bool all_finite(const Quaternion& q) {
     return q.coeffs().allFinite();
 }
 }  // namespace

@@ -18,9 +18,10 @@ void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
         const Sphere<Dim> root = world_S[i].sphere(0);
         // Two units of rounding for the sum itself.
         const double reach = (root.radius + 2 * world_S[i].rounding());
-        boxes_[i] = {root.centre.array() - reach, root.centre.array() + reach};
+        const Vector<Dim> half = Vector<Dim>::Constant(reach);
+        boxes_[i] = {root.centre - half, root.centre + half};
     }
-    const auto box = [&](std::int32_t body) -> const Box& {
+    const auto box = [&](std::int32_t body) -> const Box<Dim>& {
         return boxes_[static_cast<std::size_t>(body)];
     };
     // Insertion sort: nearly linear on an order that is nearly right already.
@@ -37,11 +38,10 @@ void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
         for (std::size_t k = i + 1; k < order_.size(); ++k) {
             const std::int32_t b = order_[k];
             if (box(b).low[0] > box(a).high[0]) break;
-            const bool meet = (box(a).low.array() <= box(b).high.array()).all() &&
-                              (box(b).low.array() <= box(a).high.array()).all();
             const bool both_static = bodies[static_cast<std::size_t>(a)].is_static() &&
                                      bodies[static_cast<std::size_t>(b)].is_static();
-            if (meet && !both_static) pairs.push_back({std::min(a, b), std::max(a, b)});
+            if (!both_static && box(a).meets(box(b)))
+                pairs.push_back({std::min(a, b), std::max(a, b)});
         }
     }
     std::sort(pairs.begin(), pairs.end(), [](const CandidatePair& x, const CandidatePair& y) {

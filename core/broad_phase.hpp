@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/box.hpp"
 #include "core/posed_tree.hpp"
 
 namespace lod {
@@ -27,11 +28,7 @@ class BroadPhase {
               std::vector<CandidatePair>& pairs);
 
   private:
-    struct Box {
-        Vector<Dim> low;
-        Vector<Dim> high;
-    };
-    std::vector<Box> boxes_;
+    std::vector<Box<Dim>> boxes_;
     std::vector<std::int32_t> order_;  ///< bodies by the low end of their box
 };
 

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <type_traits>
 
+#include "core/linear.hpp"
 #include "core/trigonometry.hpp"
 
 namespace lod {
@@ -19,12 +18,12 @@ struct Space {
     static_assert(Dim == 2 || Dim == 3);
     static constexpr int spin_size = Dim == 2 ? 1 : 3;
 
-    using Vector = Eigen::Matrix<double, Dim, 1>;
-    using Matrix = Eigen::Matrix<double, Dim, Dim>;
-    using Spin = Eigen::Matrix<double, spin_size, 1>;  ///< angular velocity [rad/s], torque, ...
-    using Inertia = Eigen::Matrix<double, spin_size, spin_size>;  ///< [kg m^2]
+    using Vector = FixedMatrix<Dim, 1>;
+    using Matrix = FixedMatrix<Dim, Dim>;
+    using Spin = FixedMatrix<spin_size, 1>;             ///< angular velocity [rad/s], torque, ...
+    using Inertia = FixedMatrix<spin_size, spin_size>;  ///< [kg m^2]
     /// Body frame to world frame: an angle [rad] in the plane, a unit quaternion in space.
-    using Orientation = std::conditional_t<Dim == 2, double, Eigen::Quaterniond>;
+    using Orientation = std::conditional_t<Dim == 2, double, Quaternion>;
 
     /// Velocity that spin gives to a point at arm r from the centre of mass: w x r.
     static Vector cross(const Spin& spin, const Vector& r) {
@@ -57,14 +56,14 @@ struct Space {
         if constexpr (Dim == 2)
             return 0.0;
         else
-            return Eigen::Quaterniond::Identity();
+            return Quaternion::Identity();
     }
 
     /// The matrix that takes a vector from the body frame to the world frame.
     static Matrix rotation(const Orientation& orientation) {
         if constexpr (Dim == 2) {
             const SineCosine of = sine_cosine(orientation);
-            return (Matrix() << of.cosine, -of.sine, of.sine, of.cosine).finished();
+            return Matrix(of.cosine, -of.sine, of.sine, of.cosine);
         } else {
             return orientation.toRotationMatrix();
         }
@@ -78,9 +77,8 @@ struct Space {
             const double angle = turn.norm();
             if (angle == 0) return orientation;
             const SineCosine half = sine_cosine(angle / 2);
-            Eigen::Quaterniond by;
-            by.w() = half.cosine;
-            by.vec() = (half.sine / angle) * turn;
+            const Vector axis = (half.sine / angle) * turn;
+            const Quaternion by(half.cosine, axis.x(), axis.y(), axis.z());
             return (by * orientation).normalized();
         }
     }

@@ -24,11 +24,11 @@ struct Hash {
     void add(const std::vector<Number>& numbers) {
         for (const Number number : numbers) add(number);
     }
-    template <class Derived>
-    void add(const Eigen::MatrixBase<Derived>& numbers) {
-        for (Eigen::Index i = 0; i < numbers.size(); ++i) add(numbers[i]);
+    template <int Rows, int Cols>
+    void add(const FixedMatrix<Rows, Cols>& numbers) {
+        for (const double number : numbers) add(number);
     }
-    void add(const Eigen::Quaterniond& q) { add(q.coeffs()); }
+    void add(const Quaternion& q) { add(q.coeffs()); }
 };
 
 }  // namespace

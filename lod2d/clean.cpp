@@ -69,11 +69,11 @@ struct Grid {
 
 Grid make_grid(const Box& box) {
     Grid grid;
-    const double half_extent = box.sizes().maxCoeff() / 2;
+    const double half_extent = box.size().maxCoeff() / 2;
     int exponent = 0;
     std::frexp(half_extent, &exponent);
     grid.step = std::ldexp(1.0, exponent - grid_bits);
-    grid.origin = grid.step * (box.center() / grid.step).array().round().matrix();
+    grid.origin = grid.step * (box.centre() / grid.step).cwiseRound();
     return grid;
 }
 
@@ -235,7 +235,7 @@ Polygon clean(const std::string& name, std::span<const Outline> outlines,
         for (const Ring& ring : outline.rings)
             if (ring.size() >= 3) all.rings.push_back(ring);
     const Box box = bounds(all);
-    const double extent = all.rings.empty() ? 0 : box.sizes().maxCoeff();
+    const double extent = all.rings.empty() ? 0 : box.size().maxCoeff();
     if (extent < 1 / largest_coordinate)
         refuse(lod::ErrorKind::input_refused, name,
                "all its points are in one place; give an outline that encloses something");

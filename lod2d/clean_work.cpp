@@ -10,8 +10,9 @@ namespace lod2d {
 namespace {
 
 Box box_of_edge(const BoundaryIndex& index, std::int32_t edge) {
-    Box box(index.edge_start(edge));
-    box.extend(index.edge_end(edge));
+    Box box;
+    box.hold(index.edge_start(edge));
+    box.hold(index.edge_end(edge));
     return box;
 }
 
@@ -22,7 +23,7 @@ bool visit_leaves(const BoundaryIndex& index, const BoundaryIndex::Node& a,
     for (std::int32_t i = a.first_edge; i < a.last_edge; ++i) {
         const Box box = box_of_edge(index, i);
         for (std::int32_t j = std::max(b.first_edge, i + 1); j < b.last_edge; ++j)
-            if (box.intersects(box_of_edge(index, j)) && !visit(i, j)) return false;
+            if (box.meets(box_of_edge(index, j)) && !visit(i, j)) return false;
     }
     return true;
 }
@@ -40,7 +41,7 @@ void visit_edge_pairs(const BoundaryIndex& index, Visit&& visit) {
         waiting.pop_back();
         const auto& a = index.nodes()[static_cast<std::size_t>(at.a)];
         const auto& b = index.nodes()[static_cast<std::size_t>(at.b)];
-        if (!a.box.intersects(b.box)) continue;
+        if (!a.box.meets(b.box)) continue;
         if (a.right == 0 && b.right == 0) {
             const bool in_order = a.first_edge <= b.first_edge;
             if (!visit_leaves(index, in_order ? a : b, in_order ? b : a, visit)) return;

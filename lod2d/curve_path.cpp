@@ -111,11 +111,7 @@ void CurvePath::arc_to(double rx, double ry, double tilt, bool large, bool sweep
 
     // In the frame where the ellipse is the unit circle.
     const lod::SineCosine of = lod::sine_cosine(tilt);
-    const Eigen::Matrix2d turn =
-        (Eigen::Matrix2d() << of.cosine, -of.sine, of.sine, of.cosine).finished();
-    Eigen::Matrix2d to_circle = turn.transpose();
-    to_circle.row(0) /= rx;
-    to_circle.row(1) /= ry;
+    const lod::Matrix<2> to_circle(of.cosine / rx, of.sine / rx, -of.sine / ry, of.cosine / ry);
     const Point chord = to_circle * (p - start);
     const double half = chord.norm() / 2;
     const double grow = std::max(1.0, half);  // radii too small are scaled up
@@ -126,9 +122,9 @@ void CurvePath::arc_to(double rx, double ry, double tilt, bool large, bool sweep
     const Point u = -half / grow * along - to_centre;
     const Point v = half / grow * along - to_centre;
 
-    Eigen::Matrix2d from_circle = turn;
-    from_circle.col(0) *= rx * grow;
-    from_circle.col(1) *= ry * grow;
+    const double a = rx * grow;
+    const double b = ry * grow;
+    const lod::Matrix<2> from_circle(of.cosine * a, -of.sine * b, of.sine * a, of.cosine * b);
     const Point centre = start - from_circle * u;
     // Clockwise arcs are halved in a mirror.
     const Point mirror(1, sweep ? 1 : -1);
@@ -174,7 +170,7 @@ bool CurvePath::finite() const {
 Box CurvePath::control_box() const {
     Box box;
     for (const Subpath& path : subpaths_)
-        for (const Point& p : path.points) box.extend(p);
+        for (const Point& p : path.points) box.hold(p);
     return box;
 }
 

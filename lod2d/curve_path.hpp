@@ -1,13 +1,25 @@
 #pragma once
 
-#include <Eigen/Geometry>
 #include <vector>
 
 #include "lod2d/shape.hpp"
 
 namespace lod2d {
 
-using Affine = Eigen::Transform<double, 2, Eigen::AffineCompact>;
+/// p to linear p + offset.
+struct Affine {
+    lod::Matrix<2> linear = lod::Matrix<2>::Identity();
+    Point offset = Point::Zero();
+
+    static Affine translation(const Point& by) { return {lod::Matrix<2>::Identity(), by}; }
+    static Affine scaling(double x, double y) { return {{x, 0, 0, y}, Point::Zero()}; }
+
+    friend Point operator*(const Affine& a, const Point& p) { return a.linear * p + a.offset; }
+    /// b first, then a.
+    friend Affine operator*(const Affine& a, const Affine& b) {
+        return {a.linear * b.linear, a * b.offset};
+    }
+};
 
 /// Lines and cubic Bezier curves, as drawn by a pen. Other curves become cubics: parabolas exactly,
 /// arcs of ellipses within 1e-7 of their radius.

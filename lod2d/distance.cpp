@@ -8,16 +8,6 @@
 #include "lod2d/orientation.hpp"
 
 namespace lod2d {
-namespace {
-
-double squared_distance(const Box& box, const Point& p) {
-    const double dx = std::max({box.min().x() - p.x(), 0.0, p.x() - box.max().x()});
-    const double dy = std::max({box.min().y() - p.y(), 0.0, p.y() - box.max().y()});
-    return dx * dx + dy * dy;
-}
-
-}  // namespace
-
 Point nearest_on_segment(const Point& a, const Point& b, const Point& p) {
     const Point along = b - a;
     const double length2 = along.squaredNorm();
@@ -36,7 +26,7 @@ BoundaryIndex::BoundaryIndex(const Polygon& polygon) {
         ring_ends_.push_back(static_cast<std::int32_t>(points_.size()));
         points_.push_back(ring.front());
         boxes.emplace_back();
-        for (const Point& p : ring) boxes.back().extend(p);
+        for (const Point& p : ring) boxes.back().hold(p);
     }
     std::vector<std::int32_t> rings(ring_starts_.size());
     std::iota(rings.begin(), rings.end(), 0);
@@ -53,13 +43,13 @@ void BoundaryIndex::build_rings(std::span<std::int32_t> rings, std::span<const B
         return;
     }
     Box middles;
-    for (std::int32_t ring : rings) middles.extend(boxes[index(ring)].center());
-    const int axis = middles.sizes().x() >= middles.sizes().y() ? 0 : 1;
+    for (std::int32_t ring : rings) middles.hold(boxes[index(ring)].centre());
+    const int axis = middles.size().x() >= middles.size().y() ? 0 : 1;
     const std::size_t half = rings.size() / 2;
     std::nth_element(rings.begin(), rings.begin() + static_cast<std::ptrdiff_t>(half), rings.end(),
                      [&](std::int32_t a, std::int32_t b) {
-                         const double at_a = boxes[index(a)].center()[axis];
-                         const double at_b = boxes[index(b)].center()[axis];
+                         const double at_a = boxes[index(a)].centre()[axis];
+                         const double at_b = boxes[index(b)].centre()[axis];
                          return at_a < at_b || (at_a == at_b && a < b);
                      });
     const std::size_t node = nodes_.size();
@@ -84,7 +74,7 @@ void BoundaryIndex::build_run(std::int32_t first_edge, std::int32_t last_edge) {
 
 Box BoundaryIndex::box_of_run(const Node& node) const {
     Box box;
-    for (std::int32_t i = node.first_edge; i <= node.last_edge; ++i) box.extend(points_[index(i)]);
+    for (std::int32_t i = node.first_edge; i <= node.last_edge; ++i) box.hold(points_[index(i)]);
     return box;
 }
 
@@ -92,8 +82,12 @@ Box BoundaryIndex::box_of_run(const Node& node) const {
 void BoundaryIndex::fit_boxes() {
     for (std::size_t i = nodes_.size(); i-- > 0;) {
         Node& node = nodes_[i];
-        node.box = node.right == 0 ? box_of_run(node)
-                                   : nodes_[i + 1].box.merged(nodes_[index(node.right)].box);
+        if (node.right == 0) {
+            node.box = box_of_run(node);
+        } else {
+            node.box = nodes_[i + 1].box;
+            node.box.hold(nodes_[index(node.right)].box);
+        }
     }
 }
 
@@ -107,8 +101,8 @@ bool BoundaryIndex::inside(const Point& p) const {
         const std::int32_t at = stack[--waiting];
         const Node& node = nodes_[index(at)];
         const Box& box = node.box;
-        if (box.max().y() < p.y() || box.min().y() > p.y() || box.max().x() < p.x()) continue;
-        if (node.one_run && box.min().x() > p.x()) {
+        if (box.high.y() < p.y() || box.low.y() > p.y() || box.high.x() < p.x()) continue;
+        if (node.one_run && box.low.x() > p.x()) {
             const bool starts_above = points_[index(node.first_edge)].y() > p.y();
             const bool ends_above = points_[index(node.last_edge)].y() > p.y();
             odd ^= starts_above != ends_above;
@@ -144,8 +138,8 @@ NearestPoint BoundaryIndex::nearest(const Point& p) const {
         if (next.least >= best2) continue;
         const Node& node = nodes_[index(next.node)];
         if (node.right != 0) {
-            Waiting near{squared_distance(nodes_[index(next.node + 1)].box, p), next.node + 1};
-            Waiting far{squared_distance(nodes_[index(node.right)].box, p), node.right};
+            Waiting near{nodes_[index(next.node + 1)].box.squared_distance(p), next.node + 1};
+            Waiting far{nodes_[index(node.right)].box.squared_distance(p), node.right};
             if (far.least < near.least) std::swap(near, far);
             stack[waiting++] = far;
             stack[waiting++] = near;

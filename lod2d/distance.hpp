@@ -84,7 +84,7 @@ void visit_edges_near(const BoundaryIndex& index, const Point& p, double reach, 
     const auto nodes = index.nodes();
     for (std::size_t at = 0; at < nodes.size();) {
         const BoundaryIndex::Node& node = nodes[at];
-        if (node.box.squaredExteriorDistance(p) > reach * reach) {
+        if (node.box.squared_distance(p) > reach * reach) {
             at = node.after;
             continue;
         }

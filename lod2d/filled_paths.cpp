@@ -25,8 +25,8 @@ void check(const std::string& name, const std::vector<FilledPath>& paths,
 std::vector<Outline> flattened(const std::string& name, const std::vector<FilledPath>& paths,
                                const OutlineSettings& settings) {
     Box box;
-    for (const FilledPath& filled : paths) box.extend(filled.path.control_box());
-    const double tolerance = box.isEmpty() ? 1 : settings.tolerance * box.diagonal().norm();
+    for (const FilledPath& filled : paths) box.hold(filled.path.control_box());
+    const double tolerance = box.is_empty() ? 1 : settings.tolerance * box.size().norm();
     std::vector<Outline> outlines;
     std::size_t points = 0;
     for (const FilledPath& filled : paths) {
@@ -46,14 +46,14 @@ std::vector<Outline> flattened(const std::string& name, const std::vector<Filled
 
 Box box_of(const std::vector<Outline>& outlines) {
     Box box;
-    for (const Outline& outline : outlines) box.extend(bounds({outline.rings}));
+    for (const Outline& outline : outlines) box.hold(bounds({outline.rings}));
     return box;
 }
 
 /// Moves the middle of `box` to the origin and makes its longer side `size`.
 void fit(std::vector<Outline>& outlines, const Box& box, double size) {
-    const Point middle = box.center();
-    const double scale = size / box.sizes().maxCoeff();
+    const Point middle = box.centre();
+    const double scale = size / box.size().maxCoeff();
     for (Outline& outline : outlines)
         for (Ring& ring : outline.rings)
             for (Point& p : ring) p = scale * (p - middle);
@@ -66,11 +66,11 @@ Shape shape_of(const std::string& name, const std::vector<FilledPath>& paths,
     check(name, paths, settings);
     std::vector<Outline> outlines = flattened(name, paths, settings);
     const Box raw = box_of(outlines);
-    if (!raw.isEmpty() && raw.sizes().maxCoeff() > 0) fit(outlines, raw, settings.size);
+    if (!raw.is_empty() && raw.size().maxCoeff() > 0) fit(outlines, raw, settings.size);
     Polygon polygon = clean(name, outlines, settings.clean);
     // What encloses nothing may have reached further than the shape: then fit once more.
     const Box box = bounds(polygon);
-    if (std::abs(box.sizes().maxCoeff() / settings.size - 1) > 1e-6) {
+    if (std::abs(box.size().maxCoeff() / settings.size - 1) > 1e-6) {
         fit(outlines, box, settings.size);
         polygon = clean(name, outlines, settings.clean);
     }

@@ -229,7 +229,7 @@ Polygon make_blob(Values v) {
         ring.push_back(on_circle(radius, angle));
     }
     Polygon blob{{ring}};
-    const double extent = bounds(blob).sizes().maxCoeff();
+    const double extent = bounds(blob).size().maxCoeff();
     for (Point& p : blob.rings[0]) p /= extent;
     return blob;
 }

@@ -47,7 +47,7 @@ ExactOutline::ExactOutline(const Shape& shape) : index_(shape.polygon) {
 
 lod::BoxNode<2> ExactOutline::box_node(std::int32_t i) const {
     const BoundaryIndex::Node& node = index_.nodes()[static_cast<std::size_t>(i)];
-    return {node.box.min(), node.box.max(), node.right, node.first_edge, node.last_edge};
+    return {node.box.low, node.box.high, node.right, node.first_edge, node.last_edge};
 }
 
 lod::Facet<2> ExactOutline::facet(std::int32_t edge) const {

@@ -16,22 +16,11 @@ const Node& node_at(const BoundaryIndex& index, std::int32_t node) {
     return index.nodes()[static_cast<std::size_t>(node)];
 }
 
-bool boxes_meet(const Box& a, const Box& b) {
-    return a.min().x() <= b.max().x() && b.min().x() <= a.max().x() && a.min().y() <= b.max().y() &&
-           b.min().y() <= a.max().y();
-}
-
-double squared_gap(const Box& a, const Box& b) {
-    const double dx = std::max({a.min().x() - b.max().x(), 0.0, b.min().x() - a.max().x()});
-    const double dy = std::max({a.min().y() - b.max().y(), 0.0, b.min().y() - a.max().y()});
-    return dx * dx + dy * dy;
-}
-
 /// Of two nodes that are not both leaves, the one to open: the larger that has children.
 bool opens_a(const Node& a, const Node& b) {
     if (a.right == 0) return false;
     if (b.right == 0) return true;
-    return a.box.sizes().maxCoeff() >= b.box.sizes().maxCoeff();
+    return a.box.size().maxCoeff() >= b.box.size().maxCoeff();
 }
 
 /// Calls visit(edge of a, edge of b) for edges that share a point until it returns false.
@@ -39,9 +28,10 @@ template <typename Visit>
 bool visit_leaf_pair(const BoundaryIndex& a, const Node& node_a, const BoundaryIndex& b,
                      const Node& node_b, Visit&& visit) {
     for (std::int32_t i = node_a.first_edge; i < node_a.last_edge; ++i) {
-        Box edge(a.edge_start(i));
-        edge.extend(a.edge_end(i));
-        if (!boxes_meet(edge, node_b.box)) continue;
+        Box edge;
+        edge.hold(a.edge_start(i));
+        edge.hold(a.edge_end(i));
+        if (!edge.meets(node_b.box)) continue;
         for (std::int32_t j = node_b.first_edge; j < node_b.last_edge; ++j)
             if (segments_meet(a.edge_start(i), a.edge_end(i), b.edge_start(j), b.edge_end(j)) &&
                 !visit(EdgePair{i, j}))
@@ -59,7 +49,7 @@ void visit_crossings(const BoundaryIndex& a, const BoundaryIndex& b, Visit&& vis
         waiting.pop_back();
         const Node& node_a = node_at(a, at.a);
         const Node& node_b = node_at(b, at.b);
-        if (!boxes_meet(node_a.box, node_b.box)) continue;
+        if (!node_a.box.meets(node_b.box)) continue;
         if (node_a.right == 0 && node_b.right == 0) {
             if (!visit_leaf_pair(a, node_a, b, node_b, visit)) return;
         } else if (opens_a(node_a, node_b)) {
@@ -142,7 +132,7 @@ ClosestPoints closest_points(const BoundaryIndex& a, const BoundaryIndex& b) {
     double best2 = std::numeric_limits<double>::infinity();
     std::vector<WaitingPair> waiting{{0.0, {0, 0}}};
     const auto pair_of = [&](std::int32_t i, std::int32_t j) {
-        return WaitingPair{squared_gap(node_at(a, i).box, node_at(b, j).box), {i, j}};
+        return WaitingPair{node_at(a, i).box.squared_distance(node_at(b, j).box), {i, j}};
     };
     while (!waiting.empty()) {
         const auto [least, at] = waiting.back();

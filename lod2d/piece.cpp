@@ -67,10 +67,10 @@ bool holds_all(const lod::Sphere<2>& disc, std::span<const Point> corners) {
 /// Cuts a convex polygon in two across its longer side; the half-planes of both sides.
 std::pair<HalfPlane, HalfPlane> halves(const Corners& corners) {
     Box box;
-    for (const Point& p : corners) box.extend(p);
-    const int axis = box.sizes().x() >= box.sizes().y() ? 0 : 1;
+    for (const Point& p : corners) box.hold(p);
+    const int axis = box.size().x() >= box.size().y() ? 0 : 1;
     const Point normal = Point::Unit(axis);
-    const double middle = box.center()[axis];
+    const double middle = box.centre()[axis];
     return {{normal, middle, true}, {-normal, -middle, false}};
 }
 

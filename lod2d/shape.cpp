@@ -54,7 +54,7 @@ Point rounded_to_grid(const Point& p, double extent) {
     int exponent = 0;
     std::frexp(extent, &exponent);
     const double step = std::ldexp(1.0, exponent - 51);
-    return step * (p / step).array().round().matrix();
+    return step * (p / step).cwiseRound();
 }
 
 /// Area and its first moments by Green's theorem, about the origin.
@@ -90,16 +90,16 @@ double polar_moment(const Polygon& polygon) {
 Box bounds(const Polygon& polygon) {
     Box box;
     for (const Ring& ring : polygon.rings)
-        for (const Point& p : ring) box.extend(p);
+        for (const Point& p : ring) box.hold(p);
     return box;
 }
 
 Shape make_shape(std::string name, const Polygon& polygon) {
     check_coordinates(name, polygon);
     const Box box = bounds(polygon);
-    const double extent = box.sizes().maxCoeff();
+    const double extent = box.size().maxCoeff();
     // About the box's middle first, so that a small shape far from the origin keeps its digits.
-    const Point middle = rounded_to_grid(box.center(), extent);
+    const Point middle = rounded_to_grid(box.centre(), extent);
     const Moments about_middle = moments(moved(polygon, -middle));
     if (!(about_middle.area > 1e-12 * extent * extent) || extent < smallest_extent)
         lod::refuse_input(use_of(name),

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/dimension.hpp"
+#include "core/box.hpp"
 
 namespace lod2d {
 
@@ -17,7 +17,7 @@ struct Polygon {
     std::vector<Ring> rings;
 };
 
-using Box = Eigen::AlignedBox<double, 2>;
+using Box = lod::Box<2>;
 
 [[nodiscard]] double polygon_area(const Polygon& polygon);  ///< by Green's theorem [m^2]
 /// Polar second moment of area about the origin, by Green's theorem [m^4].

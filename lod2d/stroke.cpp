@@ -7,8 +7,8 @@ namespace lod2d {
 
 Outline stroke_outline(const CurvePath& path, double width, double tolerance) {
     Box box = path.control_box();
-    const Point middle = box.center();
-    const double extent = box.sizes().maxCoeff() + 2 * width;
+    const Point middle = box.centre();
+    const double extent = box.size().maxCoeff() + 2 * width;
     const double step = extent / 0x1p29;
     ClipperLib::ClipperOffset offset(2.0, std::max(0.25, tolerance / step));
     const std::vector<Ring> lines = path.flatten(tolerance);

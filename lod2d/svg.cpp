@@ -12,7 +12,7 @@ namespace {
 
 /// A stroke as a path to fill, in the frame of the page.
 FilledPath covered_by(const SvgStroke& stroke, double tolerance) {
-    const double extent = stroke.path.control_box().sizes().maxCoeff() + stroke.width;
+    const double extent = stroke.path.control_box().size().maxCoeff() + stroke.width;
     FilledPath filled;
     for (const Ring& ring : stroke_outline(stroke.path, stroke.width, tolerance * extent).rings) {
         for (std::size_t i = 0; i < ring.size(); ++i)

@@ -135,18 +135,15 @@ double SvgWalk::length(const xml_node& node, const char* attribute, double other
 /// Where the contents of a nested <svg> or a <symbol> stand: their view box, as large as fits,
 /// in the middle of the place that `placed` gives them (preserveAspectRatio as by default).
 Affine SvgWalk::view_box_frame(const xml_node& node, const xml_node& placed) const {
-    Affine frame = Affine::Identity();
-    if (!node.attribute("viewBox")) return frame;
+    if (!node.attribute("viewBox")) return {};
     const auto box = parsed(node, "viewBox", parse_svg_view_box);
-    if (!(box[2] > 0 && box[3] > 0)) return frame;
+    if (!(box[2] > 0 && box[3] > 0)) return {};
     const double width = length(placed, "width", length(node, "width", width_, width_), width_);
     const double height =
         length(placed, "height", length(node, "height", height_, height_), height_);
     const double scale = std::min(width / box[2], height / box[3]);
-    frame.translate(Point((width - scale * box[2]) / 2, (height - scale * box[3]) / 2));
-    frame.scale(scale);
-    frame.translate(Point(-box[0], -box[1]));
-    return frame;
+    return Affine::translation({(width - scale * box[2]) / 2, (height - scale * box[3]) / 2}) *
+           Affine::scaling(scale, scale) * Affine::translation({-box[0], -box[1]});
 }
 
 CurvePath SvgWalk::path_of(const xml_node& node, std::string_view tag) const {
@@ -227,8 +224,8 @@ void SvgWalk::draw_use(const xml_node& node, const Affine& frame, const SvgStyle
     if (std::ranges::find(in_use_, target) != in_use_.end())
         refuse(lod::ErrorKind::input_refused, node,
                "<use> of '" + std::string(link) + "' draws itself; break the circle");
-    Affine placed = frame;
-    placed.translate(Point(length(node, "x", 0, width_), length(node, "y", 0, height_)));
+    const Affine placed =
+        frame * Affine::translation({length(node, "x", 0, width_), length(node, "y", 0, height_)});
     in_use_.push_back(target);
     if (local_name(target.name()) == "symbol") {
         const SvgStyle inner = sheet_.style_of(target, style);
@@ -273,8 +270,10 @@ void SvgWalk::draw(const xml_node& node, const Affine& outer, const SvgStyle& pa
         draw_switch(node, frame, style, depth);
     } else {
         if (tag == "svg" && depth > 0) {
-            frame.translate(Point(length(node, "x", 0, width_), length(node, "y", 0, height_)));
-            frame = frame * view_box_frame(node, node);
+            frame =
+                frame *
+                Affine::translation({length(node, "x", 0, width_), length(node, "y", 0, height_)}) *
+                view_box_frame(node, node);
         }
         draw_children(node, frame, style, depth);
     }
@@ -291,9 +290,7 @@ SvgDrawing SvgWalk::read() {
         if (box[2] > 0) width_ = box[2];
         if (box[3] > 0) height_ = box[3];
     }
-    Affine upright = Affine::Identity();
-    upright.scale(Point(1, -1));
-    draw(root, upright, {}, 0);
+    draw(root, Affine::scaling(1, -1), {}, 0);
     const auto mention = [&](std::size_t count, const char* what) {
         if (count == 0) return;
         drawing_.left_out += (drawing_.left_out.empty() ? "" : ", ") + std::to_string(count) + " " +

@@ -24,9 +24,7 @@ double radians(double degrees) {
 }
 
 Affine from_columns(double a, double b, double c, double d, double e, double f) {
-    Affine affine;
-    affine.matrix() << a, c, e, b, d, f;
-    return affine;
+    return {{a, c, b, d}, {e, f}};
 }
 
 Affine rotation(double degrees) {
@@ -117,7 +115,7 @@ void SvgReader::fail(const char* expected) const {
 
 Affine parse_svg_transform(std::string_view text) {
     SvgReader reader(text);
-    Affine result = Affine::Identity();
+    Affine result;
     while (!reader.at_end()) {
         const std::string_view name = reader.letters();
         if (name == "none" && reader.at_end()) break;

@@ -1,6 +1,5 @@
 #include "lod3d/convex_cell.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

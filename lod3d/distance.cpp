@@ -1,6 +1,5 @@
 #include "lod3d/distance.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -85,7 +84,7 @@ class SolidAngles {
     }
 
     double sum_ = 0;
-    Eigen::Vector2d turned_{1, 0};
+    lod::Vector<2> turned_{1, 0};
     int pending_ = 0;
 };
 
@@ -193,7 +192,7 @@ MeshDistance::Found MeshDistance::find(const Point& p, double within, double eno
     Found found;
     found.squared = within * within;
     float least = wide_.squared(found.squared);
-    const Eigen::Array3f place = wide_.place(p);
+    const std::array<float, 3> place = wide_.place(p);
     stack[waiting++] = {0, 0, 0};
     while (waiting > 0) {
         const Waiting next = stack[--waiting];
@@ -208,11 +207,10 @@ MeshDistance::Found MeshDistance::find(const Point& p, double within, double eno
         }
         if (next.count > 0) continue;
         const WideTree::Node& node = wide_.node(next.first);
-        const Eigen::Array4f squared = WideTree::squared_distances(node, place);
+        const WideTree::Four squared = WideTree::squared_distances(node, place);
         const std::size_t bottom = waiting;  // the nearest on top
         for (std::size_t i = 0; i < WideTree::width; ++i) {
-            const Waiting child{squared[static_cast<Eigen::Index>(i)], node.first[i],
-                                node.count[i]};
+            const Waiting child{squared[i], node.first[i], node.count[i]};
             if (!(child.squared <= least)) continue;
             std::size_t at = waiting++;
             for (; at > bottom && stack[at - 1].squared < child.squared; --at)

@@ -1,6 +1,5 @@
 #include "lod3d/generators.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -14,7 +14,7 @@ double orientation(const Point& a, const Point& b, const Point& c, const Point& 
 }
 
 /// Positive where c lies to the left of the line from a to b.
-double side_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+double side_of(const lod::Vector<2>& a, const lod::Vector<2>& b, const lod::Vector<2>& c) {
     return lod::Space<2>::moment(b - a, c - a)[0];
 }
 
@@ -22,16 +22,15 @@ bool same_side(double s, double t) {
     return (s > 0 && t > 0) || (s < 0 && t < 0);
 }
 
-bool sides_meet(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& a,
-                const Eigen::Vector2d& b) {
-    if ((p.cwiseMax(q).array() < a.cwiseMin(b).array()).any() ||
-        (a.cwiseMax(b).array() < p.cwiseMin(q).array()).any())
+bool sides_meet(const lod::Vector<2>& p, const lod::Vector<2>& q, const lod::Vector<2>& a,
+                const lod::Vector<2>& b) {
+    if (p.cwiseMax(q).any_below(a.cwiseMin(b)) || a.cwiseMax(b).any_below(p.cwiseMin(q)))
         return false;
     return !same_side(side_of(p, q, a), side_of(p, q, b)) &&
            !same_side(side_of(a, b, p), side_of(a, b, q));
 }
 
-bool holds(const std::array<Eigen::Vector2d, 3>& t, const Eigen::Vector2d& p) {
+bool holds(const std::array<lod::Vector<2>, 3>& t, const lod::Vector<2>& p) {
     const double u = side_of(t[0], t[1], p);
     const double v = side_of(t[1], t[2], p);
     const double w = side_of(t[2], t[0], p);
@@ -41,11 +40,10 @@ bool holds(const std::array<Eigen::Vector2d, 3>& t, const Eigen::Vector2d& p) {
 
 /// Two triangles in one plane, seen along the axis of the plane's normal that is longest.
 bool coplanar_intersect(const Corners& s, const Corners& t, const Point& normal) {
-    Eigen::Index drop = 0;
-    normal.cwiseAbs().maxCoeff(&drop);
+    const int drop = normal.cwiseAbs().most_place();
     const auto flat = [&](const Corners& c) {
         const auto seen = [&](const Point& p) {
-            return Eigen::Vector2d(p[(drop + 1) % 3], p[(drop + 2) % 3]);
+            return lod::Vector<2>(p[(drop + 1) % 3], p[(drop + 2) % 3]);
         };
         return std::array{seen(c.a), seen(c.b), seen(c.c)};
     };
@@ -93,7 +91,7 @@ bool boxes_apart(const Corners& s, const Corners& t) {
     const Point high_s = s.a.cwiseMax(s.b).cwiseMax(s.c);
     const Point low_t = t.a.cwiseMin(t.b).cwiseMin(t.c);
     const Point high_t = t.a.cwiseMax(t.b).cwiseMax(t.c);
-    return (low_s.array() > high_t.array()).any() || (low_t.array() > high_s.array()).any();
+    return high_t.any_below(low_s) || high_s.any_below(low_t);
 }
 
 }  // namespace
@@ -128,20 +126,20 @@ Pose relative(const Pose& a, const Pose& b) {
 class BoxTest {
   public:
     explicit BoxTest(const Pose& b_in_a)
-        : pose_(b_in_a), size_(b_in_a.rotation.cwiseAbs() + Eigen::Matrix3d::Constant(1e-12)) {}
+        : pose_(b_in_a), size_(b_in_a.rotation.cwiseAbs() + lod::Matrix<3>::Constant(1e-12)) {}
 
     [[nodiscard]] bool apart(const TriangleTree::Node& a, const TriangleTree::Node& b) const {
         const Point half_a = 0.5 * (a.high - a.low);
         const Point half_b = 0.5 * (b.high - b.low);
         const Point between = pose_.carry(0.5 * (b.low + b.high)) - 0.5 * (a.low + a.high);
-        if ((between.cwiseAbs().array() > (half_a + size_ * half_b).array()).any()) return true;
+        if ((half_a + size_ * half_b).any_below(between.cwiseAbs())) return true;
         const Point in_b = pose_.rotation.transpose() * between;
-        return (in_b.cwiseAbs().array() > (half_b + size_.transpose() * half_a).array()).any();
+        return (half_b + size_.transpose() * half_a).any_below(in_b.cwiseAbs());
     }
 
   private:
     Pose pose_;
-    Eigen::Matrix3d size_;
+    lod::Matrix<3> size_;
 };
 
 double size_of(const TriangleTree::Node& node) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "lod3d/triangle_tree.hpp"
 
 namespace lod3d {
@@ -14,7 +12,7 @@ namespace lod3d {
 
 /// A pose: body frame to world frame.
 struct Pose {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    lod::Matrix<3> rotation = lod::Matrix<3>::Identity();
     Point position = Point::Zero();
     [[nodiscard]] Point carry(const Point& p) const { return rotation * p + position; }
 };

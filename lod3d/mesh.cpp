@@ -22,11 +22,8 @@ bool usable(const Point& p) {
 }  // namespace
 
 Box bounding_box(const Mesh& mesh) {
-    Box box{mesh.vertices.front(), mesh.vertices.front()};
-    for (const Point& p : mesh.vertices) {
-        box.low = box.low.cwiseMin(p);
-        box.high = box.high.cwiseMax(p);
-    }
+    Box box;
+    for (const Point& p : mesh.vertices) box.hold(p);
     return box;
 }
 
@@ -140,7 +137,7 @@ Integrals integrate(const Mesh& mesh) {
     const Point origin = 0.5 * (box.low + box.high);  // near by, so that little cancels
     double volume = 0;
     Point first = Point::Zero();
-    Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // of x x^T
+    lod::Matrix<3> second = lod::Matrix<3>::Zero();  // of x x^T
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Point a = mesh.corner(t, 0) - origin;
         const Point b = mesh.corner(t, 1) - origin;
@@ -158,7 +155,7 @@ Integrals integrate(const Mesh& mesh) {
     const Point arm = first / volume;
     second -= volume * arm * arm.transpose();
     result.centroid = origin + arm;
-    result.inertia = second.trace() * Eigen::Matrix3d::Identity() - second;
+    result.inertia = second.trace() * lod::Matrix<3>::Identity() - second;
     return result;
 }
 

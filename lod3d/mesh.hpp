@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/dimension.hpp"
+#include "core/box.hpp"
 
 namespace lod3d {
 
@@ -22,11 +22,9 @@ struct Mesh {
     }
 };
 
+using Box = lod::Box<3>;
+
 /// The box of all vertices. Requires: at least one vertex.
-struct Box {
-    Point low;
-    Point high;
-};
 [[nodiscard]] Box bounding_box(const Mesh& mesh);
 
 /// Throws lod::Error (input refused) that says how many coordinates are not finite or beyond 1e100,

@@ -1,6 +1,5 @@
 #include "lod3d/piece.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -74,11 +73,8 @@ MeshPiece::MeshPiece(const Solid& solid, const MeshDistance& inside)
 }
 
 Box MeshPiece::bounds() const {
-    Box box{points_.front(), points_.front()};
-    for (const Point& p : points_) {
-        box.low = box.low.cwiseMin(p);
-        box.high = box.high.cwiseMax(p);
-    }
+    Box box;
+    for (const Point& p : points_) box.hold(p);
     return box;
 }
 

@@ -149,13 +149,13 @@ using Contacts = std::vector<lod::Contact<3>>;
 
 /// A contact point seen along the normal.
 struct Seen {
-    Eigen::Vector2d at;
+    lod::Vector<2> at;
     std::size_t number;
 };
 
 double turn(const Seen& a, const Seen& b, const Seen& c) {
-    const Eigen::Vector2d u = b.at - a.at;
-    const Eigen::Vector2d v = c.at - a.at;
+    const lod::Vector<2> u = b.at - a.at;
+    const lod::Vector<2> v = c.at - a.at;
     return u.x() * v.y() - u.y() * v.x();
 }
 

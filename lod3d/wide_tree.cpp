@@ -45,21 +45,20 @@ std::int32_t WideTree::add(const TriangleTree& tree, std::int32_t root) {
     constexpr float room = 1e-6f;  // units: more than single precision rounds off
     const auto here = static_cast<std::int32_t>(nodes_.size());
     Node fresh;
-    fresh.low.fill(Eigen::Array4f::Constant(infinity));
-    fresh.high.fill(Eigen::Array4f::Constant(-infinity));
+    fresh.low.fill(Four::all(infinity));
+    fresh.high.fill(Four::all(-infinity));
     nodes_.push_back(fresh);
     const std::vector<std::int32_t> parts = opened(tree, root);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const TriangleTree::Node& part = tree.node(parts[i]);
-        const auto lane = static_cast<Eigen::Index>(i);
-        const Eigen::Array3f low = place(part.low) - room;
-        const Eigen::Array3f high = place(part.high) + room;
+        const std::array<float, 3> low = place(part.low);
+        const std::array<float, 3> high = place(part.high);
         // An inner node is added first: it may move the nodes.
         const std::int32_t first = part.is_leaf() ? part.first : add(tree, parts[i]);
         Node& node = nodes_[static_cast<std::size_t>(here)];
         for (std::size_t d = 0; d < 3; ++d) {
-            node.low[d][lane] = low[static_cast<Eigen::Index>(d)];
-            node.high[d][lane] = high[static_cast<Eigen::Index>(d)];
+            node.low[d].set(i, low[d] - room);
+            node.high[d].set(i, high[d] + room);
         }
         node.first[i] = first;
         node.count[i] = part.count;

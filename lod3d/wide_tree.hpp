@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/lanes.hpp"
 #include "lod3d/triangle_tree.hpp"
 
 namespace lod3d {
@@ -13,11 +14,12 @@ namespace lod3d {
 class WideTree {
   public:
     static constexpr std::size_t width = 4;
+    using Four = lod::Lanes<width>;
 
     /// Four boxes, in units of the mesh. An entry without a box is infinitely far from anything.
     struct Node {
-        std::array<Eigen::Array4f, 3> low;
-        std::array<Eigen::Array4f, 3> high;
+        std::array<Four, 3> low;
+        std::array<Four, 3> high;
         std::array<std::int32_t, width> first{};  ///< of a leaf its first triangle; else its node
         std::array<std::int32_t, width> count{};  ///< triangles of a leaf; 0 for an inner node
     };
@@ -29,8 +31,9 @@ class WideTree {
         return nodes_[static_cast<std::size_t>(i)];
     }
     /// A point in units of the mesh.
-    [[nodiscard]] Eigen::Array3f place(const Point& p) const {
-        return ((p - centre_) * per_unit_).cwiseMax(-farthest).cwiseMin(farthest).cast<float>();
+    [[nodiscard]] std::array<float, 3> place(const Point& p) const {
+        const Point at = ((p - centre_) * per_unit_).cwiseMax(-farthest).cwiseMin(farthest);
+        return {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(at.z())};
     }
     /// A squared distance [m^2] in units of the mesh.
     [[nodiscard]] float squared(double distance) const {
@@ -38,15 +41,14 @@ class WideTree {
     }
 
     /// No more than the squared distance of the point from each box, in units of the mesh.
-    [[nodiscard]] static Eigen::Array4f squared_distances(const Node& node,
-                                                          const Eigen::Array3f& p) {
-        Eigen::Array4f sum = Eigen::Array4f::Zero();
+    [[nodiscard]] static Four squared_distances(const Node& node, const std::array<float, 3>& p) {
+        Four sum = Four::all(0);
         for (std::size_t d = 0; d < 3; ++d) {
-            const float at = p[static_cast<Eigen::Index>(d)];
-            const Eigen::Array4f gap = (node.low[d] - at).max(at - node.high[d]).max(0.0f);
+            const Four at = Four::all(p[d]);
+            const Four gap = upper(upper(node.low[d] - at, at - node.high[d]), Four::all(0));
             sum += gap * gap;
         }
-        return sum * below_rounding;
+        return sum * Four::all(below_rounding);
     }
 
   private:

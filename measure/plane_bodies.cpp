@@ -18,7 +18,7 @@ double deepest_corner(const lod2d::BoundaryIndex& of, const lod2d::BoundaryIndex
         if (node.right != 0) continue;
         for (std::int32_t edge = node.first_edge; edge < node.last_edge; ++edge) {
             const lod2d::Point& corner = of.edge_start(edge);
-            if (!within.nodes()[0].box.contains(corner)) continue;
+            if (!within.nodes()[0].box.holds(corner)) continue;
             depth = std::max(depth, -within.signed_distance(corner));
         }
     }

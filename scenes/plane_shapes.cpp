@@ -37,7 +37,7 @@ PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice
     lod2d::Shape shape =
         lod2d::load_shape(in_package(spec) ? package_file(spec).string() : spec, settings);
     if (!choice.size || !lod2d::names_generator(spec)) return shape;
-    const double scale = *choice.size / lod2d::bounds(shape.polygon).sizes().maxCoeff();
+    const double scale = *choice.size / lod2d::bounds(shape.polygon).size().maxCoeff();
     for (lod2d::Ring& ring : shape.polygon.rings)
         for (lod2d::Point& point : ring) point *= scale;
     return lod2d::make_shape(shape.name, shape.polygon);

@@ -30,11 +30,11 @@ class Fingerprint {
     void add(const std::vector<std::int32_t>& numbers) {
         for (std::int32_t number : numbers) add(static_cast<double>(number));
     }
-    template <class Derived>
-    void add(const Eigen::MatrixBase<Derived>& numbers) {
-        for (Eigen::Index i = 0; i < numbers.size(); ++i) add(numbers(i));
+    template <int Rows, int Cols>
+    void add(const lod::FixedMatrix<Rows, Cols>& numbers) {
+        for (const double number : numbers) add(number);
     }
-    void add(const Eigen::Quaterniond& q) { add(q.coeffs()); }
+    void add(const lod::Quaternion& q) { add(q.coeffs()); }
     [[nodiscard]] std::uint64_t value() const { return value_; }
 
   private:
@@ -49,14 +49,14 @@ std::uint64_t from_hexadecimal(const std::string& text) {
     return number;
 }
 
-template <class Derived>
-void append(const Eigen::MatrixBase<Derived>& numbers, Json& list) {
-    for (Eigen::Index i = 0; i < numbers.size(); ++i) list.push_back(numbers(i));
+template <int Rows, int Cols>
+void append(const lod::FixedMatrix<Rows, Cols>& numbers, Json& list) {
+    for (const double number : numbers) list.push_back(number);
 }
 void append(double number, Json& list) {
     list.push_back(number);
 }
-void append(const Eigen::Quaterniond& q, Json& list) {
+void append(const lod::Quaternion& q, Json& list) {
     append(q.coeffs(), list);
 }
 

@@ -224,12 +224,11 @@ double Sight<3>::gap(const Outline&, const lod::Body<3>& a, const Outline&, cons
     return lod::exactly_overlap<3>(a, b) ? 0 : lod::separation<3>(a, b).distance;
 }
 
-Eigen::Quaterniond Sight<3>::between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to,
-                                     double share) {
+lod::Quaternion Sight<3>::between(const lod::Quaternion& from, const lod::Quaternion& to,
+                                  double share) {
     const double side = from.dot(to) < 0 ? -1 : 1;  // the shorter way round
-    Eigen::Quaterniond result;
-    result.coeffs() = (1 - share) * from.coeffs() + share * side * to.coeffs();
-    return result.normalized();
+    return lod::Quaternion::of_coeffs((1 - share) * from.coeffs() + share * side * to.coeffs())
+        .normalized();
 }
 
 }  // namespace viz

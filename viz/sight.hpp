@@ -117,8 +117,8 @@ struct Sight<3> {
     [[nodiscard]] static std::vector<lod::Vector<3>> points_of(const Outline& outline);
     [[nodiscard]] static double gap(const Outline& a, const lod::Body<3>& body_a, const Outline& b,
                                     const lod::Body<3>& body_b);
-    [[nodiscard]] static Eigen::Quaterniond between(const Eigen::Quaterniond& from,
-                                                    const Eigen::Quaterniond& to, double share);
+    [[nodiscard]] static lod::Quaternion between(const lod::Quaternion& from,
+                                                 const lod::Quaternion& to, double share);
     [[nodiscard]] static double amount(const lod::Spin<3>& spin) { return spin.norm(); }
 };
 

@@ -31,7 +31,8 @@ SurfaceLayer::SurfaceLayer(const Facets& facets, const Eye& eye, const Vector3& 
       half_line_(line * samples / 2),
       lift_(2.5 * line * eye.metres_per_pixel) {
     lod::Matrix<3> R;
-    R << vector3(facets.axes[0]), vector3(facets.axes[1]), vector3(facets.axes[2]);
+    for (int axis = 0; axis < 3; ++axis)
+        R.set_col(axis, vector3(facets.axes[static_cast<std::size_t>(axis)]));
     const Vector3 origin = vector3(facets.origin);
     const double least = eye.nearest_depth();
     corners_.reserve(surface_.vertices.size());

@@ -32,7 +32,7 @@ struct Shades {
     Shades(Rgb rgb, Theme theme, bool clear) {
         const Vector3 ink = vector(rgb);
         dark = (theme == Theme::light ? 0.72 : 0.42) * ink;
-        bright = ink + 0.4 * (Vector3::Ones() - ink);
+        bright = ink + 0.4 * (Vector3::Constant(1) - ink);
         outline = clear && theme == Theme::dark ? bright : Vector3(0.5 * ink);
     }
     [[nodiscard]] Vector3 at(double facing) const {

@@ -142,8 +142,8 @@ template <int Dim, DistanceFieldOf<Dim> Field>
             }
             for (std::size_t p = 0; p < points.size(); ++p) {
                 const double share = std::max(next[owners[p]] / worst, 0.25);
-                float& weight = search.weight(p);
-                weight = static_cast<float>(std::clamp(1.2 * std::sqrt(share) * weight, 0.25, 4.0));
+                const double weight = 1.2 * std::sqrt(share) * search.weight(p);
+                search.set_weight(p, static_cast<float>(std::clamp(weight, 0.25, 4.0)));
             }
             search.descend(centres, settings.rounds / 2);
             cover = search.cover(centres);

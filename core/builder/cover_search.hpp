@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "core/lanes.hpp"
 #include "core/random.hpp"
 #include "core/sphere.hpp"
 
@@ -50,21 +51,19 @@ class CoverSearch {
     /// Requires at least one point, which must outlive this.
     CoverSearch(const Field& field, std::span<const Vector<Dim>> points, double size)
         : field_(field), points_(points), size_(size), blocks_((points.size() + 7) / 8) {
-        place_.resize(blocks_ * Dim, Lanes::Zero());
-        weight_.resize(blocks_, Lanes::Zero());  // those behind the last point count nothing
+        place_.resize(blocks_ * Dim, Eight::all(0));
+        weight_.resize(blocks_, Eight::all(0));  // those behind the last point count nothing
         least_.resize(blocks_);
         for (std::size_t p = 0; p < points.size(); ++p) {
-            const auto lane = static_cast<Eigen::Index>(p % 8);
             for (std::size_t d = 0; d < Dim; ++d)
-                place_[p / 8 * Dim + d][lane] = relative(points[p], d);
-            weight_[p / 8][lane] = 1;
+                place_[p / 8 * Dim + d].set(p % 8, relative(points[p], d));
+            set_weight(p, 1);
         }
     }
 
     /// Of a point; where it is larger, balls shall stand out less.
-    float& weight(std::size_t point) {
-        return weight_[point / 8][static_cast<Eigen::Index>(point % 8)];
-    }
+    [[nodiscard]] float weight(std::size_t point) const { return weight_[point / 8][point % 8]; }
+    void set_weight(std::size_t point, float weight) { weight_[point / 8].set(point % 8, weight); }
 
     /// The first centre is a random point, each next one a point that the balls so far would have
     /// to stand out furthest for, more or less.
@@ -123,8 +122,8 @@ class CoverSearch {
         result.protrusion = std::max(0.0, measure(centres));
         for (const Vector<Dim>& c : centres) result.balls.push_back({c, 0});
         for (std::size_t p = 0; p < points_.size(); ++p) {
-            const auto lane = static_cast<Eigen::Index>(p % 8);
-            const Lanes* needs = &needs_[p / 8 * centres.size()];
+            const std::size_t lane = p % 8;
+            const Eight* needs = &needs_[p / 8 * centres.size()];
             std::size_t own = 0;
             while (needs[own][lane] > least_[p / 8][lane]) ++own;
             Sphere<Dim>& ball = result.balls[own];
@@ -134,11 +133,10 @@ class CoverSearch {
     }
 
   private:
-    using Lanes = Eigen::Array<float, 8, 1>;
+    using Eight = Lanes<8>;
 
     [[nodiscard]] float relative(const Vector<Dim>& p, std::size_t d) const {
-        const auto axis = static_cast<Eigen::Index>(d);
-        return static_cast<float>(p[axis] - points_[0][axis]);
+        return static_cast<float>(p[d] - points_[0][d]);
     }
 
     Vector<Dim> pick(double number) const {
@@ -152,9 +150,9 @@ class CoverSearch {
     }
 
     /// 1 at 0, falling like x^-4.
-    static Lanes falling_off(const Lanes& x) {
-        const Lanes slow = (1 + 0.25f * x).inverse();
-        const Lanes square = slow * slow;
+    static Eight falling_off(const Eight& x) {
+        const Eight slow = Eight::all(1) / (Eight::all(1) + Eight::all(0.25f) * x);
+        const Eight square = slow * slow;
         return square * square;
     }
 
@@ -169,57 +167,59 @@ class CoverSearch {
         }
         distance_.resize(blocks_ * count);
         needs_.resize(blocks_ * count);
-        Lanes worst = Lanes::Zero();
+        Eight worst = Eight::all(0);
         for (std::size_t b = 0; b < blocks_; ++b) {
-            Lanes least = Lanes::Constant(std::numeric_limits<float>::infinity());
+            Eight least = Eight::all(std::numeric_limits<float>::infinity());
             for (std::size_t i = 0; i < count; ++i) {
-                Lanes squared = (place_[b * Dim] - from_[i * Dim]).square();
-                for (std::size_t d = 1; d < Dim; ++d)
-                    squared += (place_[b * Dim + d] - from_[i * Dim + d]).square();
-                const Lanes distance = squared.sqrt();
-                const Lanes needs = distance + static_cast<float>(sloped_[i].value);
+                Eight squared = Eight::all(0);
+                for (std::size_t d = 0; d < Dim; ++d) {
+                    const Eight arm = place_[b * Dim + d] - Eight::all(from_[i * Dim + d]);
+                    squared += arm * arm;
+                }
+                const Eight distance = square_root(squared);
+                const Eight needs = distance + Eight::all(static_cast<float>(sloped_[i].value));
                 distance_[b * count + i] = distance;
                 needs_[b * count + i] = needs;
-                least = least.min(needs);
+                least = lower(least, needs);
             }
             least_[b] = least;
-            worst = worst.max(weight_[b] * least);
+            worst = upper(worst, weight_[b] * least);
         }
-        return worst.maxCoeff();
+        return worst.most();
     }
 
     /// The slope of the softened E for each centre, from what measure() kept.
     const Centres& slopes(const Centres& centres, double worst, double softness) {
         const std::size_t count = centres.size();
-        const auto sharp = static_cast<float>(1 / softness);
-        const auto tiny = static_cast<float>(1e-12 * size_);
+        const Eight sharp = Eight::all(static_cast<float>(1 / softness));
+        const Eight tiny = Eight::all(static_cast<float>(1e-12 * size_));
         share_.resize(count);
-        sums_.assign(count * (Dim + 1), Lanes::Zero());
+        sums_.assign(count * (Dim + 1), Eight::all(0));
         for (std::size_t b = 0; b < blocks_; ++b) {
-            const Lanes least = least_[b];
-            Lanes total = Lanes::Zero();
+            const Eight least = least_[b];
+            Eight total = Eight::all(0);
             for (std::size_t i = 0; i < count; ++i) {
-                const Lanes near = falling_off((needs_[b * count + i] - least) * sharp);
+                const Eight near = falling_off((needs_[b * count + i] - least) * sharp);
                 share_[i] = near * near;
                 total += share_[i];
             }
-            const Lanes behind = (static_cast<float>(worst) - weight_[b] * least) * sharp;
-            const Lanes matters = weight_[b] * falling_off(behind) / total;
+            const Eight behind =
+                (Eight::all(static_cast<float>(worst)) - weight_[b] * least) * sharp;
+            const Eight matters = weight_[b] * falling_off(behind) / total;
             for (std::size_t i = 0; i < count; ++i) {
-                Lanes* sum = &sums_[i * (Dim + 1)];
-                const Lanes pull = matters * share_[i];
+                Eight* sum = &sums_[i * (Dim + 1)];
+                const Eight pull = matters * share_[i];
                 sum[Dim] += pull;
-                const Lanes by_length = pull / distance_[b * count + i].max(tiny);
+                const Eight by_length = pull / upper(distance_[b * count + i], tiny);
                 for (std::size_t d = 0; d < Dim; ++d)
-                    sum[d] += by_length * (from_[i * Dim + d] - place_[b * Dim + d]);
+                    sum[d] += by_length * (Eight::all(from_[i * Dim + d]) - place_[b * Dim + d]);
             }
         }
         slope_.clear();
         for (std::size_t i = 0; i < count; ++i) {
-            const Lanes* sum = &sums_[i * (Dim + 1)];
+            const Eight* sum = &sums_[i * (Dim + 1)];
             Vector<Dim> slope = static_cast<double>(sum[Dim].sum()) * sloped_[i].gradient;
-            for (std::size_t d = 0; d < Dim; ++d)
-                slope[static_cast<Eigen::Index>(d)] += static_cast<double>(sum[d].sum());
+            for (std::size_t d = 0; d < Dim; ++d) slope[d] += static_cast<double>(sum[d].sum());
             slope_.push_back(slope);
         }
         return slope_;
@@ -229,15 +229,15 @@ class CoverSearch {
     std::span<const Vector<Dim>> points_;
     double size_;
     std::size_t blocks_;                       ///< of eight points
-    std::vector<Lanes> place_;                 ///< of each block, one entry a coordinate
-    std::vector<Lanes> weight_;                ///< of each block
-    std::vector<Lanes> least_;                 ///< of each block: the least f
+    std::vector<Eight> place_;                 ///< of each block, one entry a coordinate
+    std::vector<Eight> weight_;                ///< of each block
+    std::vector<Eight> least_;                 ///< of each block: the least f
     std::vector<SlopedDistance<Dim>> sloped_;  ///< of each centre
     std::vector<float> from_;                  ///< place of each centre, as place_
-    std::vector<Lanes> distance_;              ///< of each block and centre
-    std::vector<Lanes> needs_;                 ///< f of each block and centre
-    std::vector<Lanes> share_;  ///< of one block: how far its points are each centre's business
-    std::vector<Lanes> sums_;   ///< of each centre: Dim numbers of its arms, and its pull
+    std::vector<Eight> distance_;              ///< of each block and centre
+    std::vector<Eight> needs_;                 ///< f of each block and centre
+    std::vector<Eight> share_;  ///< of one block: how far its points are each centre's business
+    std::vector<Eight> sums_;   ///< of each centre: Dim numbers of its arms, and its pull
     std::vector<Vector<Dim>> slope_;  ///< of each centre
 };
 

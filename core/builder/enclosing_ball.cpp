@@ -1,10 +1,11 @@
 #include "core/builder/enclosing_ball.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+
+#include "core/solvers.hpp"
 
 namespace lod {
 namespace {
@@ -20,27 +21,23 @@ struct Few {
 /// they are affinely dependent.
 template <int Dim>
 std::optional<Sphere<Dim>> ball_through(const Few<Dim>& few, unsigned chosen) {
-    constexpr int most = Dim;
-    std::array<Vector<Dim>, most + 1> at;
-    at.fill(Vector<Dim>::Zero());
-    int count = 0;
-    for (int i = 0; i < few.count; ++i)
-        if (chosen >> i & 1U)
-            at[static_cast<std::size_t>(count++)] = few.point[static_cast<std::size_t>(i)];
-    using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
-    using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
-    const int arms = count - 1;
-    Eigen::Matrix<double, Dim, Eigen::Dynamic, 0, Dim, most> arm(Dim, arms);
-    for (int i = 0; i < arms; ++i) arm.col(i) = at[static_cast<std::size_t>(i + 1)] - at[0];
-    Sphere<Dim> ball{at[0], 0};
-    if (arms == 0) return ball;
-    const Gram gram = 2 * arm.transpose() * arm;
-    const Eigen::FullPivLU<Gram> factors(gram);
-    if (!factors.isInvertible()) return std::nullopt;
-    const Column squares = arm.colwise().squaredNorm().transpose();
-    const Vector<Dim> offset = arm * factors.solve(squares);
-    ball.centre += offset;
-    ball.radius = offset.norm();
+    std::array<Vector<Dim>, Dim> arms;
+    int count = -1;
+    Sphere<Dim> ball;
+    for (int i = 0; i < few.count; ++i) {
+        if ((chosen >> i & 1U) == 0) continue;
+        const Vector<Dim>& p = few.point[static_cast<std::size_t>(i)];
+        if (count < 0)
+            ball.centre = p;
+        else
+            arms[static_cast<std::size_t>(count)] = p - ball.centre;
+        ++count;
+    }
+    if (count < 1) return ball;
+    const std::optional<Vector<Dim>> offset = equidistant<Dim>(arms.data(), count);
+    if (!offset) return std::nullopt;
+    ball.centre += *offset;
+    ball.radius = offset->norm();
     return ball;
 }
 

@@ -1,7 +1,8 @@
 #include "core/builder/seeds.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+
+#include "core/solvers.hpp"
 
 namespace lod {
 namespace {
@@ -41,8 +42,7 @@ std::vector<Sphere<Dim>> along_longest_axis(std::span<const Vector<Dim>> points,
     const Vector<Dim> mean = mean_of<Dim>(points);
     Matrix<Dim> spread = Matrix<Dim>::Zero();
     for (const Vector<Dim>& p : points) spread += (p - mean) * (p - mean).transpose();
-    const Eigen::SelfAdjointEigenSolver<Matrix<Dim>> solver(spread);
-    const Vector<Dim> axis = solver.eigenvectors().col(Dim - 1);
+    const Vector<Dim> axis = principal_axis<Dim>(spread);
     double low = 0;
     double high = 0;
     for (const Vector<Dim>& p : points) {

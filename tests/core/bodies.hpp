@@ -12,7 +12,12 @@
 
 namespace lodtest {
 
-using Planar = Eigen::Vector2d;
+using Planar = lod::Vector<2>;
+
+/// Seen along the third axis.
+inline Planar in_plane(const lod::Vector<3>& v) {
+    return {v.x(), v.y()};
+}
 
 template <int Dim>
 lod::Vector<Dim> planar(double x, double y) {

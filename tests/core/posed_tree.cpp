@@ -1,5 +1,6 @@
 #include "core/posed_tree.hpp"
 
+#include "core/eigen.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 
@@ -17,14 +18,19 @@ Eigen::Matrix<Wide, 2, 2> wide_rotation(double angle) {
     const Wide c = std::cos(static_cast<Wide>(angle));
     return (Eigen::Matrix<Wide, 2, 2>() << c, -s, s, c).finished();
 }
-WideSpin3 wide_rotation(const Eigen::Quaterniond& q) {
-    return q.cast<Wide>().normalized().toRotationMatrix();
+WideSpin3 wide_rotation(const Quaternion& q) {
+    return to_eigen(q).cast<Wide>().normalized().toRotationMatrix();
+}
+
+template <int Dim>
+Eigen::Matrix<Wide, Dim, 1> wide(const FixedMatrix<Dim, 1>& v) {
+    return to_eigen(v).template cast<Wide>();
 }
 
 template <int Dim>
 Eigen::Matrix<Wide, Dim, 1> wide_centre(const Body<Dim>& body, int node) {
-    return wide_rotation(body.orientation) * body.tree->sphere(node).centre.template cast<Wide>() +
-           body.position.template cast<Wide>();
+    return wide_rotation(body.orientation) * wide(body.tree->sphere(node).centre) +
+           wide(body.position);
 }
 
 template <int Dim>
@@ -56,8 +62,7 @@ TEMPLATE_TEST_CASE_SIG("carried centres stay within the rounding bound", "[posed
         world.pose(body);
         carry_all(world);
         for (int node = 0; node < body.tree->size(); ++node) {
-            const auto off =
-                (world.sphere(node).centre.template cast<Wide>() - wide_centre(body, node)).norm();
+            const auto off = (wide(world.sphere(node).centre) - wide_centre(body, node)).norm();
             worst = std::max(worst, static_cast<double>(off) / world.rounding());
         }
     }
@@ -77,7 +82,7 @@ TEMPLATE_TEST_CASE_SIG("two turned balls that just touch are never called apart"
         const Wide reach = static_cast<Wide>(a.tree->radius[0]) + b.tree->radius[0];
         const Wide too_far = between.norm() - reach;
         const Eigen::Matrix<Wide, Dim, 1> move = between.normalized() * too_far;
-        b.position -= move.template cast<double>();
+        b.position -= from_eigen(move.template cast<double>());
         if ((wide_centre(b, 0) - wide_centre(a, 0)).norm() > reach) continue;
         PosedTree<Dim> world_a;
         PosedTree<Dim> world_b;
@@ -140,9 +145,8 @@ TEMPLATE_TEST_CASE_SIG("a node's mean normal turns with the body and keeps its l
         world.pose(body);
         for (int node = 0; node < body.tree->size(); ++node) {
             const Vector<Dim> n = body.tree->mean_normal(node);
-            const Eigen::Matrix<Wide, Dim, 1> expected =
-                wide_rotation(body.orientation) * n.template cast<Wide>();
-            CHECK((world.mean_normal(node).template cast<Wide>() - expected).norm() < 1e-14L);
+            const Eigen::Matrix<Wide, Dim, 1> expected = wide_rotation(body.orientation) * wide(n);
+            CHECK((wide(world.mean_normal(node)) - expected).norm() < 1e-14L);
             CHECK(world.mean_normal(node).norm() == Approx(n.norm()).epsilon(1e-13));
         }
     }

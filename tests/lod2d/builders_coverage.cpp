@@ -36,8 +36,7 @@ std::vector<Point> points_of(const Shape& shape, int inside_count) {
     const Box box = bounds(shape.polygon);
     lodtest::Random random(5);
     while (inside_count > 0) {
-        const Point p(random.in(box.min().x(), box.max().x()),
-                      random.in(box.min().y(), box.max().y()));
+        const Point p(random.in(box.low.x(), box.high.x()), random.in(box.low.y(), box.high.y()));
         if (!index.inside(p)) continue;
         points.push_back(p);
         --inside_count;

@@ -211,7 +211,7 @@ TEST_CASE("a cleaned scribble is clean and holds what the winding number says", 
             const int points = *rc::gen::inRange(3, 16);
             for (int i = 0; i < points; ++i) {
                 Point p(number_between(-1, 1), number_between(-1, 1));
-                if (coarse) p = (4 * p).array().round() / 4;
+                if (coarse) p = (4 * p).cwiseRound() / 4;
                 ring.push_back(p);
             }
             outline.rings.push_back(ring);

@@ -28,7 +28,7 @@ TEST_CASE("clip art gives a clean shape or is refused in one line that names the
         try {
             const Shape shape = load_svg(file);
             ++shapes;
-            CHECK(bounds(shape.polygon).sizes().maxCoeff() == Approx(1).epsilon(1e-5));
+            CHECK(bounds(shape.polygon).size().maxCoeff() == Approx(1).epsilon(1e-5));
             CHECK(shape.area > 0);
             CHECK_FALSE(crosses_itself(shape.polygon));
         } catch (const lod::Error& error) {

@@ -28,7 +28,7 @@ TEST_CASE("every generator makes a shape of about one metre at its ranges' ends"
     for (const Generator& generator : generators()) {
         INFO(generator.name);
         const Shape shape = generate(generator.name);
-        const double extent = bounds(shape.polygon).sizes().maxCoeff();
+        const double extent = bounds(shape.polygon).size().maxCoeff();
         CHECK(extent > 0.9);
         CHECK(extent < 1.0 + 1e-12);
         CHECK(!generator.description.empty());

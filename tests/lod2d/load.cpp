@@ -73,12 +73,12 @@ TEST_CASE("letters have the holes that they have in print", "[font]") {
 TEST_CASE("letters stand upright and side by side", "[font]") {
     const Shape letter = load_shape("text:L");
     const Box box = bounds(letter.polygon);
-    CHECK(box.sizes().y() == Approx(1).epsilon(1e-6));
+    CHECK(box.size().y() == Approx(1).epsilon(1e-6));
     const BoundaryIndex index(letter.polygon);
-    CHECK(index.inside({box.max().x() - 0.02, box.min().y() + 0.02}));
-    CHECK(index.inside({box.min().x() + 0.02, box.max().y() - 0.02}));
-    CHECK_FALSE(index.inside({box.max().x() - 0.02, box.max().y() - 0.02}));
-    CHECK(bounds(load_shape("text:lodlab").polygon).sizes().x() == Approx(1).epsilon(1e-6));
+    CHECK(index.inside({box.high.x() - 0.02, box.low.y() + 0.02}));
+    CHECK(index.inside({box.low.x() + 0.02, box.high.y() - 0.02}));
+    CHECK_FALSE(index.inside({box.high.x() - 0.02, box.high.y() - 0.02}));
+    CHECK(bounds(load_shape("text:lodlab").polygon).size().x() == Approx(1).epsilon(1e-6));
 }
 
 TEST_CASE("a text that cannot be drawn is refused with its reason", "[font]") {

@@ -27,7 +27,7 @@ Shape shape_of_body(const std::string& body, const std::string& attributes = "")
 /// Area / (longer side of the box)^2, which no scaling changes.
 double fullness(const std::string& body, const std::string& attributes = "") {
     const Shape shape = shape_of_body(body, attributes);
-    CHECK(bounds(shape.polygon).sizes().maxCoeff() == Approx(1).epsilon(1e-6));
+    CHECK(bounds(shape.polygon).size().maxCoeff() == Approx(1).epsilon(1e-6));
     return shape.area;
 }
 
@@ -79,9 +79,9 @@ TEST_CASE("up in the picture is up", "[svg]") {
     const Shape shape = shape_of_body("<path d='M0 0h4v1h-3v3h-1z'/>");  // an L lying on its back
     const Box box = bounds(shape.polygon);
     const BoundaryIndex index(shape.polygon);
-    CHECK(index.inside({box.max().x() - 0.01, box.max().y() - 0.01}));
-    CHECK(index.inside({box.min().x() + 0.01, box.min().y() + 0.01}));
-    CHECK_FALSE(index.inside({box.max().x() - 0.01, box.min().y() + 0.01}));
+    CHECK(index.inside({box.high.x() - 0.01, box.high.y() - 0.01}));
+    CHECK(index.inside({box.low.x() + 0.01, box.low.y() + 0.01}));
+    CHECK_FALSE(index.inside({box.high.x() - 0.01, box.low.y() + 0.01}));
 }
 
 TEST_CASE("the fill rule comes from the attribute, the style or a group", "[svg]") {
@@ -184,8 +184,8 @@ TEST_CASE("the longer side of the shape is the size asked for", "[svg]") {
     // A line of no width reaches further than the shape and must not count.
     const Shape shape =
         parse_svg("a/b/box.svg", svg("<path d='M0 0h2v4h-2z M9 9 L 20 20 z'/>"), settings);
-    CHECK(bounds(shape.polygon).sizes().y() == Approx(0.25).epsilon(1e-6));
-    CHECK(bounds(shape.polygon).sizes().x() == Approx(0.125).epsilon(1e-6));
+    CHECK(bounds(shape.polygon).size().y() == Approx(0.25).epsilon(1e-6));
+    CHECK(bounds(shape.polygon).size().x() == Approx(0.125).epsilon(1e-6));
     CHECK(shape.name == "box");
     settings.outline.size = 0;
     CHECK(refusal(svg("<rect width='1' height='1'/>"), settings).line.find("size") !=

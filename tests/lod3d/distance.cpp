@@ -1,5 +1,6 @@
 #include "lod3d/distance.hpp"
 
+#include "core/eigen.hpp"
 #include "lod3d/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
@@ -72,7 +73,7 @@ TEST_CASE("the side of the nearest normal and the winding number agree", "[dista
         const MeshDistance thorough(solid.mesh, InsideRule::winding);
         for (int i = 0; i < 700; ++i) {
             const Point p = random_point(random, 0.6);
-            INFO(spec << " at " << p.transpose());
+            INFO(spec << " at " << lod::to_eigen(p).transpose());
             const double winding = thorough.winding_number(p);
             CHECK(std::abs(winding - std::round(winding)) < 0.1);
             CHECK(quick.inside(p) == thorough.inside(p));

@@ -8,6 +8,7 @@
 
 #include <memory>
 
+#include "core/eigen.hpp"
 #include "lod3d/mesh.hpp"
 
 namespace lodtest {
@@ -21,15 +22,17 @@ inline std::shared_ptr<FclModel> fcl_model(const lod3d::Mesh& mesh) {
                                static_cast<std::size_t>(t[2]));
     auto model = std::make_shared<FclModel>();
     model->beginModel();
-    model->addSubModel(mesh.vertices, triangles);
+    std::vector<fcl::Vector3d> vertices;
+    for (const lod3d::Point& p : mesh.vertices) vertices.push_back(lod::to_eigen(p));
+    model->addSubModel(vertices, triangles);
     model->endModel();
     return model;
 }
 
-inline fcl::Transform3d fcl_pose(const Eigen::Matrix3d& rotation, const lod3d::Point& position) {
+inline fcl::Transform3d fcl_pose(const lod::Matrix<3>& rotation, const lod3d::Point& position) {
     fcl::Transform3d pose = fcl::Transform3d::Identity();
-    pose.linear() = rotation;
-    pose.translation() = position;
+    pose.linear() = lod::to_eigen(rotation);
+    pose.translation() = lod::to_eigen(position);
     return pose;
 }
 

@@ -60,8 +60,8 @@ class Solids {
     /// Whether a part of b's surface lies inside a. Requires: the surfaces do not meet.
     [[nodiscard]] bool holds(std::size_t i, const Body<3>& a, std::size_t j,
                              const Body<3>& b) const {
-        const Eigen::Matrix3d to_a = Space<3>::rotation(a.orientation).transpose();
-        const Eigen::Matrix3d from_b = Space<3>::rotation(b.orientation);
+        const lod::Matrix<3> to_a = Space<3>::rotation(a.orientation).transpose();
+        const lod::Matrix<3> from_b = Space<3>::rotation(b.orientation);
         return std::ranges::any_of(solids_[j].witnesses, [&](const Point& p) {
             return lodtest::ray_inside(solids_[i].mesh,
                                        to_a * (from_b * p + b.position - a.position));

@@ -17,7 +17,7 @@ Mesh made(std::string_view spec) {
     return lod::make_from_spec(solid_generators(), spec);
 }
 
-Mesh moved(Mesh mesh, const Eigen::Matrix3d& rotation, const Point& by) {
+Mesh moved(Mesh mesh, const lod::Matrix<3>& rotation, const Point& by) {
     for (Point& p : mesh.vertices) p = rotation * p + by;
     return mesh;
 }
@@ -27,10 +27,10 @@ Mesh moved(Mesh mesh, const Eigen::Matrix3d& rotation, const Point& by) {
 TEST_CASE("a box has the integrals of a box, wherever it stands", "[mesh]") {
     // V = abc, I = V/12 diag(b^2 + c^2, c^2 + a^2, a^2 + b^2)
     const Point at(5, -7, 11);
-    const Integrals of = integrate(moved(made("box:2,3,4"), Eigen::Matrix3d::Identity(), at));
+    const Integrals of = integrate(moved(made("box:2,3,4"), lod::Matrix<3>::Identity(), at));
     CHECK(of.volume == Approx(24).epsilon(1e-14));
     CHECK(of.centroid.isApprox(at, 1e-14));
-    const Eigen::Matrix3d expected = Point(2 * 25, 2 * 20, 2 * 13).asDiagonal();
+    const lod::Matrix<3> expected = Point(2 * 25, 2 * 20, 2 * 13).asDiagonal();
     CHECK((of.inertia - expected).cwiseAbs().maxCoeff() < 1e-11);
 }
 
@@ -44,8 +44,8 @@ TEST_CASE("a corner tetrahedron has the integrals of calculus", "[mesh]") {
     CHECK(of.centroid.isApprox(Point::Constant(0.25), 1e-14));
     const double diagonal = 2 * (1.0 / 60 - 1.0 / 96);  // int y^2 + z^2, shifted to the centroid
     const double beside = -(1.0 / 120 - 1.0 / 96);
-    Eigen::Matrix3d expected = Eigen::Matrix3d::Constant(beside);
-    expected.diagonal().setConstant(diagonal);
+    lod::Matrix<3> expected = lod::Matrix<3>::Constant(beside);
+    for (int i = 0; i < 3; ++i) expected(i, i) = diagonal;
     CHECK((of.inertia - expected).cwiseAbs().maxCoeff() < 1e-15);
 }
 
@@ -92,7 +92,7 @@ TEST_CASE("the inertia turns with the mesh as R I R^T", "[mesh]") {
     const Mesh blob = made("blob:5");
     const Integrals before = integrate(blob);
     for (int i = 0; i < 20; ++i) {
-        const Eigen::Matrix3d R = random_rotation(random);
+        const lod::Matrix<3> R = random_rotation(random);
         const Integrals after = integrate(moved(blob, R, {1, 2, 3}));
         CHECK(after.volume == Approx(before.volume).epsilon(1e-12));
         CHECK((after.centroid - (R * before.centroid + Point(1, 2, 3))).norm() < 1e-13);

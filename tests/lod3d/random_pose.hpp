@@ -12,7 +12,11 @@ inline lod3d::Point random_direction(lod::Random& random) {
     return p.normalized();
 }
 
-inline Eigen::Matrix3d random_rotation(lod::Random& random) {
-    const Eigen::AngleAxisd turn(random.next(0, 6.283), random_direction(random));
-    return turn.toRotationMatrix();
+inline lod::Quaternion random_orientation(lod::Random& random) {
+    const double angle = random.next(0, 6.283);
+    return lod::Space<3>::turned(lod::Quaternion::Identity(), angle * random_direction(random));
+}
+
+inline lod::Matrix<3> random_rotation(lod::Random& random) {
+    return random_orientation(random).toRotationMatrix();
 }

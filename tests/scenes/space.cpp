@@ -67,10 +67,11 @@ lod::Body<3> lifted(const lod::Body<2>& flat) {
 double difference(const State<2>& flat, const State<3>& state) {
     const lod::Matrix<2> turn = lod::Space<2>::rotation(flat.orientation);
     const lod::Matrix<3> turn3 = lod::Space<3>::rotation(state.orientation);
-    return std::max({(lifted(flat.position) - state.position).norm(),
-                     (lifted(flat.velocity) - state.velocity).norm(),
-                     (lod::Spin<3>(0, 0, flat.spin[0]) - state.spin).norm(),
-                     (turn - turn3.topLeftCorner<2, 2>()).norm()});
+    return std::max(
+        {(lifted(flat.position) - state.position).norm(),
+         (lifted(flat.velocity) - state.velocity).norm(),
+         (lod::Spin<3>(0, 0, flat.spin[0]) - state.spin).norm(),
+         (turn - lod::Matrix<2>(turn3(0, 0), turn3(0, 1), turn3(1, 0), turn3(1, 1))).norm()});
 }
 
 bool same(const lod::FrameRecord<2>& flat, const lod::FrameRecord<3>& record) {

@@ -1,0 +1,27 @@
+#pragma once
+
+/// What a file that computes the method must not be compiled with. The library's own targets never
+/// are; this is for a program that includes its headers.
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0) || \
+    defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__)
+#error \
+    "lodlab: -ffast-math (-Ofast, -ffinite-math-only, ...) lets the compiler reorder sums and \
+forget infinities, so that results change and proofs of a cover fail; compile files that include \
+lodlab without it"
+#endif
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0
+#error \
+    "lodlab: doubles must be rounded at every step, and here they are not (x87?); on 32-bit x86 \
+compile with -msse2 -mfpmath=sse"
+#endif
+#if defined(__clang__)
+#pragma STDC FP_CONTRACT OFF
+#endif
+
+/// For the small functions of the method: they are part of whoever calls them, so that a program's
+/// flags decide about the program's own calls alone and leave no second version for the linker.
+#if defined(__GNUC__)
+#define LOD_INLINE [[gnu::always_inline]] inline
+#else
+#define LOD_INLINE inline
+#endif
