@@ -19,4 +19,6 @@ function(lodlab_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lodlab>)
   target_link_libraries(${name} PUBLIC lodlab_settings PRIVATE $<BUILD_INTERFACE:lodlab_warnings>)
+  # A square root is one instruction where it need not set errno.
+  target_compile_options(${name} PRIVATE -fno-math-errno)
 endfunction()

@@ -139,7 +139,7 @@ using Shape = typename Shapes<Dim>::Shape;
 /// A hash of the trees that the builders make of a few shapes (tests/scenes/builders.cpp computes
 /// it and fails when it is another one): trees in the cache are of this version of the builders.
 inline constexpr std::string_view builders_version =
-    "7cde3bb6447d5cc04fa31c6d70f8990f3137a28a4a4ce09c18ee2f9de3fa6e64";
+    "4e2403dbd2a123d886b0b552829506a190872538a4e4cdbd67f0fa1b33ba8fdf";
 
 /// The tree of a shape, from the cache where it was built before.
 template <int Dim>
