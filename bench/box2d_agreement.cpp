@@ -14,13 +14,13 @@
 #include <string>
 #include <vector>
 
-#include "core/random.hpp"
-#include "core/time_of_impact.hpp"
-#include "core/trigonometry.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/outline.hpp"
-#include "measure/first_impact.hpp"
-#include "measure/plane_bodies.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/measure/first_impact.hpp"
+#include "lodlab/measure/plane_bodies.hpp"
 
 namespace {
 

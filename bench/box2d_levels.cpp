@@ -10,10 +10,10 @@
 #include <string>
 
 #include "bench/timing.hpp"
-#include "core/frame.hpp"
-#include "lod2d/box2d_reference.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/lod2d/box2d_reference.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
 
 namespace {
 

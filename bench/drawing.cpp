@@ -8,11 +8,11 @@
 #include <filesystem>
 
 #include "bench/timing.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "viz/draw_traversal.hpp"
-#include "viz/paint.hpp"
-#include "viz/write.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/viz/draw_traversal.hpp"
+#include "lodlab/viz/paint.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace {
 

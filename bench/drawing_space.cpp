@@ -8,12 +8,12 @@
 #include <filesystem>
 
 #include "bench/timing.hpp"
-#include "lod3d/generators.hpp"
-#include "lod3d/load_mesh.hpp"
-#include "lod3d/sphere_tree.hpp"
-#include "viz/draw_tree.hpp"
-#include "viz/draw_turntable.hpp"
-#include "viz/paint.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/load_mesh.hpp"
+#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/draw_turntable.hpp"
+#include "lodlab/viz/paint.hpp"
 
 namespace {
 

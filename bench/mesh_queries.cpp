@@ -8,9 +8,9 @@
 
 #include "bench/meshes.hpp"
 #include "bench/timing.hpp"
-#include "core/random.hpp"
-#include "core/traversal.hpp"
-#include "lod3d/intersect.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/lod3d/intersect.hpp"
 #include "tests/lod3d/fcl_oracle.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "bench/timing.hpp"
-#include "core/error.hpp"
-#include "lod3d/load_mesh.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/load_mesh.hpp"
 
 namespace {
 

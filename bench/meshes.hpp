@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/sphere_tree.hpp"
 
 namespace bench {
 

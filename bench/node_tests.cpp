@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "bench/timing.hpp"
-#include "core/traversal.hpp"
+#include "lodlab/core/traversal.hpp"
 
 namespace {
 

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "core/error.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/load.hpp"
-#include "lod2d/tree_report.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/load.hpp"
+#include "lodlab/lod2d/tree_report.hpp"
 
 namespace {
 

@@ -8,9 +8,9 @@
 #include <cstdlib>
 
 #include "bench/timing.hpp"
-#include "core/response.hpp"
-#include "viz/draw_plot.hpp"
-#include "viz/write.hpp"
+#include "lodlab/core/response.hpp"
+#include "lodlab/viz/draw_plot.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace {
 

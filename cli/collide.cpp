@@ -8,9 +8,9 @@
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
-#include "core/error.hpp"
-#include "viz/draw_projection.hpp"
-#include "viz/draw_traversal.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/draw_projection.hpp"
+#include "lodlab/viz/draw_traversal.hpp"
 
 namespace cli {
 namespace {

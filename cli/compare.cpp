@@ -7,7 +7,7 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/staging.hpp"
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace cli {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/pictures.hpp"
-#include "measure/comparison.hpp"
+#include "lodlab/measure/comparison.hpp"
 
 namespace cli {
 

@@ -9,11 +9,11 @@
 #include "cli/pictures.hpp"
 #include "cli/progress.hpp"
 #include "cli/staging.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "measure/curves.hpp"
-#include "scenes/spelling.hpp"
-#include "viz/draw_plot.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/measure/curves.hpp"
+#include "lodlab/scenes/spelling.hpp"
+#include "lodlab/viz/draw_plot.hpp"
 
 namespace cli {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "cli/command.hpp"
 #include "cli/output.hpp"
-#include "core/error.hpp"
-#include "lod2d/font.hpp"
-#include "scenes/places.hpp"
-#include "viz/write.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/font.hpp"
+#include "lodlab/scenes/places.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace cli {
 namespace {

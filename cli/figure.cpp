@@ -6,13 +6,13 @@
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
-#include "core/error.hpp"
-#include "viz/draw_backtracking.hpp"
-#include "viz/draw_contacts.hpp"
-#include "viz/draw_motion.hpp"
-#include "viz/draw_strip.hpp"
-#include "viz/draw_traversal.hpp"
-#include "viz/draw_tree.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/draw_backtracking.hpp"
+#include "lodlab/viz/draw_contacts.hpp"
+#include "lodlab/viz/draw_motion.hpp"
+#include "lodlab/viz/draw_strip.hpp"
+#include "lodlab/viz/draw_traversal.hpp"
+#include "lodlab/viz/draw_tree.hpp"
 
 namespace cli {
 namespace {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "core/traversal.hpp"
-#include "scenes/setup.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/scenes/setup.hpp"
 
 namespace cli {
 

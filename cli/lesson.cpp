@@ -5,8 +5,8 @@
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
-#include "core/error.hpp"
 #include "lessons/lessons.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace cli {
 namespace {

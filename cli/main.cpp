@@ -4,7 +4,7 @@
 
 #include "cli/output.hpp"
 #include "cli/parse.hpp"
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "core/linear.hpp"
+#include "lodlab/core/linear.hpp"
 
 namespace cli {
 

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace cli {
 

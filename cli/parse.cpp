@@ -5,9 +5,9 @@
 #include <sstream>
 
 #include "cli/output.hpp"
-#include "core/error.hpp"
-#include "scenes/scene.hpp"
-#include "scenes/spelling.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/scenes/scene.hpp"
+#include "lodlab/scenes/spelling.hpp"
 
 namespace cli {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "scenes/spelling.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/scenes/spelling.hpp"
 
 namespace cli {
 viz::Theme theme_of(const Options& options) {

@@ -4,10 +4,10 @@
 #include <string>
 
 #include "cli/options.hpp"
-#include "scenes/run.hpp"
-#include "scenes/setup.hpp"
-#include "viz/scene_view.hpp"
-#include "viz/write.hpp"
+#include "lodlab/scenes/run.hpp"
+#include "lodlab/scenes/setup.hpp"
+#include "lodlab/viz/scene_view.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace cli {
 

@@ -6,8 +6,8 @@
 #include "cli/output.hpp"
 #include "cli/run_pictures.hpp"
 #include "cli/staging.hpp"
-#include "core/error.hpp"
-#include "scenes/trace.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/scenes/trace.hpp"
 
 namespace cli {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "core/error.hpp"
-#include "scenes/places.hpp"
-#include "scenes/trace.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/scenes/places.hpp"
+#include "lodlab/scenes/trace.hpp"
 
 namespace cli {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "cli/options.hpp"
-#include "scenes/run.hpp"
-#include "scenes/setup.hpp"
+#include "lodlab/scenes/run.hpp"
+#include "lodlab/scenes/setup.hpp"
 
 namespace cli {
 

@@ -7,13 +7,13 @@
 #include "cli/pictures.hpp"
 #include "cli/progress.hpp"
 #include "cli/staging.hpp"
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "io/tree_json.hpp"
-#include "lod3d/export_spheres.hpp"
-#include "scenes/shapes.hpp"
-#include "viz/draw_tree.hpp"
-#include "viz/draw_turntable.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/io/tree_json.hpp"
+#include "lodlab/lod3d/export_spheres.hpp"
+#include "lodlab/scenes/shapes.hpp"
+#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/draw_turntable.hpp"
 
 namespace cli {
 namespace {

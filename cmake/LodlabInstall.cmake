@@ -1,18 +1,20 @@
-# What an installed lodlab is: headers, static libraries, the program, its scenes, and how others find
+# What an installed lodlab is: headers, libraries, the program, its scenes, and how others find
 # them, by find_package(lodlab COMPONENTS ...) or by pkg-config (one lodlab-NAME.pc a library).
 include(CMakePackageConfigHelpers)
 
 set(lodlab_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lodlab)
 
-# lodlab_install(NAME DESCRIPTION text REQUIRES modules) installs one library. REQUIRES names the
-# pkg-config modules that it links: all of them, since the library is static and they are shared. What
-# find_package needs for the same stands in lodlab-config.cmake.in.
+# lodlab_install(NAME DESCRIPTION text [LODLAB names] [MODULES modules]) installs one library. LODLAB
+# names the libraries of ours that it stands on, MODULES the pkg-config modules that it links, which a
+# program links too where the library is static. What find_package needs for the same stands in
+# lodlab-config.cmake.in.
 function(lodlab_install name)
   if(NOT TARGET ${name})
     return()
   endif()
-  cmake_parse_arguments(arg "" "DESCRIPTION" "REQUIRES" ${ARGN})
-  install(TARGETS ${name} EXPORT lodlab-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  cmake_parse_arguments(arg "" "DESCRIPTION" "LODLAB;MODULES" ${ARGN})
+  install(TARGETS ${name} EXPORT lodlab-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+          LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(EXPORT lodlab-${name} NAMESPACE lodlab:: FILE lodlab-${name}-targets.cmake
           DESTINATION ${lodlab_package_folder})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab
@@ -20,7 +22,13 @@ function(lodlab_install name)
 
   set(NAME ${name})
   set(DESCRIPTION "${arg_DESCRIPTION}")
-  list(JOIN arg_REQUIRES " " REQUIRES)
+  list(TRANSFORM arg_LODLAB PREPEND lodlab-)
+  list(JOIN arg_LODLAB " " REQUIRES)
+  list(JOIN arg_MODULES " " REQUIRES_PRIVATE)
+  if(NOT BUILD_SHARED_LIBS)
+    string(APPEND REQUIRES " ${REQUIRES_PRIVATE}")
+    set(REQUIRES_PRIVATE "")
+  endif()
   file(RELATIVE_PATH UP /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/lodlab.pc.in lodlab-${name}.pc @ONLY)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lodlab-${name}.pc

@@ -1,6 +1,6 @@
 # The one place that says how every target of lodlab is compiled.
 
-# Same bits from every compiler and level: no fused multiply-add, no fast-math.
+# Same bits from every compiler, level and instruction set: no fused multiply-add, no fast-math.
 add_library(lodlab_settings INTERFACE)
 target_compile_features(lodlab_settings INTERFACE cxx_std_20)
 target_compile_options(lodlab_settings INTERFACE -ffp-contract=off)
@@ -9,16 +9,31 @@ add_library(lodlab_warnings INTERFACE)
 target_compile_options(lodlab_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
 
-# lodlab_library(NAME sources...): a static library, public headers included as "NAME/header.hpp".
+# Every library's headers are included as <lodlab/NAME/header.hpp>, here and where they are installed.
+set(lodlab_includes ${PROJECT_BINARY_DIR}/include)
+file(MAKE_DIRECTORY ${lodlab_includes}/lodlab)
+
+# lodlab_library(NAME sources...): a library, static unless BUILD_SHARED_LIBS.
 function(lodlab_library name)
-  add_library(${name} STATIC ${ARGN})
+  add_library(${name} ${ARGN})
   add_library(lodlab::${name} ALIAS ${name})
-  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON OUTPUT_NAME lodlab_${name}
-                                           CXX_EXTENSIONS OFF)
-  target_include_directories(${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lodlab>)
+  set_target_properties(${name} PROPERTIES
+    OUTPUT_NAME lodlab_${name} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${name} ${lodlab_includes}/lodlab/${name}
+       SYMBOLIC COPY_ON_ERROR)
+  target_include_directories(${name}
+    PUBLIC $<BUILD_INTERFACE:${lodlab_includes}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+    PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PUBLIC lodlab_settings PRIVATE $<BUILD_INTERFACE:lodlab_warnings>)
-  # A square root is one instruction where it need not set errno.
-  target_compile_options(${name} PRIVATE -fno-math-errno)
+  # A square root is one instruction where it need not set errno; a call within a library may be
+  # inlined where nobody may put another function in its place.
+  target_compile_options(${name} PRIVATE -fno-math-errno -fno-semantic-interposition)
+  # A shared library shows what is lodlab's own, and hides what it took in (Eigen, parsers).
+  if(BUILD_SHARED_LIBS AND UNIX AND NOT APPLE)
+    target_link_options(${name} PRIVATE
+      -Wl,--version-script,${PROJECT_SOURCE_DIR}/cmake/exports.map)
+    set_target_properties(${name} PROPERTIES
+      LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exports.map)
+  endif()
 endfunction()

@@ -1,4 +1,4 @@
-#include "core/approach.hpp"
+#include "lodlab/core/approach.hpp"
 
 #include <algorithm>
 #include <cmath>

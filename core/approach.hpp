@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/exact_shape.hpp"
+#include "lodlab/core/exact_shape.hpp"
 
 namespace lod {
 

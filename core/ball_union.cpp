@@ -1,8 +1,8 @@
-#include "core/ball_union.hpp"
+#include "lodlab/core/ball_union.hpp"
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod {
 namespace {

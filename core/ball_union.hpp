@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/exact_shape.hpp"
+#include "lodlab/core/exact_shape.hpp"
 
 namespace lod {
 

@@ -1,9 +1,9 @@
-#include "core/body.hpp"
+#include "lodlab/core/body.hpp"
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/solvers.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/solvers.hpp"
 
 namespace lod {
 

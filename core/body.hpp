@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/tree.hpp"
+#include "lodlab/core/tree.hpp"
 
 namespace lod {
 

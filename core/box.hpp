@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/dimension.hpp"
+#include "lodlab/core/dimension.hpp"
 
 namespace lod {
 

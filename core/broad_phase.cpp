@@ -1,4 +1,4 @@
-#include "core/broad_phase.hpp"
+#include "lodlab/core/broad_phase.hpp"
 
 #include <algorithm>
 #include <numeric>

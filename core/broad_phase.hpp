@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/box.hpp"
-#include "core/posed_tree.hpp"
+#include "lodlab/core/box.hpp"
+#include "lodlab/core/posed_tree.hpp"
 
 namespace lod {
 

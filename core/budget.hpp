@@ -57,7 +57,7 @@ class Budget {
     [[nodiscard]] std::uint64_t test_limit(std::uint64_t contacts) const;
     [[nodiscard]] bool past_deadline(std::uint64_t contacts) const;
 
-    static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+    static constexpr std::uint64_t no_limit = (std::numeric_limits<std::uint64_t>::max)();
     /// A clock is read once in so many tests: reading it costs about as much as ten tests.
     static constexpr std::uint64_t tests_between_readings = 64;
 

@@ -1,4 +1,4 @@
-#include "core/contact.hpp"
+#include "lodlab/core/contact.hpp"
 
 #include <algorithm>
 #include <cmath>

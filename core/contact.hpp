@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/body.hpp"
+#include "lodlab/core/body.hpp"
 
 namespace lod {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "core/linear.hpp"
-#include "core/trigonometry.hpp"
+#include "lodlab/core/linear.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 namespace lod {
 
@@ -112,7 +112,7 @@ struct Space {
             constexpr double most_steps = 1000;
             const Spin momentum = inertia * (rotation.transpose() * spin);
             const double turn = h * inverse_inertia.norm() * momentum.norm();
-            return turn > 0.5 ? static_cast<int>(std::min(std::ceil(2 * turn), most_steps)) : 1;
+            return turn > 0.5 ? static_cast<int>((std::min)(std::ceil(2 * turn), most_steps)) : 1;
         }
     }
 

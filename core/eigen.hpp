@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "core/linear.hpp"
+#include "lodlab/core/linear.hpp"
 
 /// lodlab's vectors as Eigen's and back, for programs that compute with Eigen. The library itself
 /// never sees the Eigen of a program: whatever its settings and release are, nothing changes here.

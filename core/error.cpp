@@ -1,4 +1,4 @@
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod {
 

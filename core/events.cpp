@@ -1,7 +1,7 @@
-#include "core/events.hpp"
+#include "lodlab/core/events.hpp"
 
-#include "core/error.hpp"
-#include "core/impact.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/impact.hpp"
 
 namespace lod {
 namespace {

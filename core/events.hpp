@@ -3,8 +3,8 @@
 #include <optional>
 #include <span>
 
-#include "core/response.hpp"
-#include "core/time_of_impact.hpp"
+#include "lodlab/core/response.hpp"
+#include "lodlab/core/time_of_impact.hpp"
 
 namespace lod {
 

@@ -1,4 +1,4 @@
-#include "core/exact_shape.hpp"
+#include "lodlab/core/exact_shape.hpp"
 
 #include <algorithm>
 #include <limits>

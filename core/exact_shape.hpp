@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/contact.hpp"
+#include "lodlab/core/contact.hpp"
 
 namespace lod {
 

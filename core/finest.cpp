@@ -1,4 +1,4 @@
-#include "core/finest.hpp"
+#include "lodlab/core/finest.hpp"
 
 #include <algorithm>
 

@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase.hpp"
-#include "core/budget.hpp"
-#include "core/time_of_impact.hpp"
-#include "core/traversal.hpp"
+#include "lodlab/core/broad_phase.hpp"
+#include "lodlab/core/budget.hpp"
+#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/core/traversal.hpp"
 
 namespace lod {
 

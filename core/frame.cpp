@@ -1,6 +1,6 @@
-#include "core/frame.hpp"
+#include "lodlab/core/frame.hpp"
 
-#include "core/integrate.hpp"
+#include "lodlab/core/integrate.hpp"
 
 namespace lod {
 namespace {

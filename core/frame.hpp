@@ -3,11 +3,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/budget.hpp"
-#include "core/finest.hpp"
-#include "core/front_contacts.hpp"
-#include "core/response.hpp"
-#include "core/schedule.hpp"
+#include "lodlab/core/budget.hpp"
+#include "lodlab/core/finest.hpp"
+#include "lodlab/core/front_contacts.hpp"
+#include "lodlab/core/response.hpp"
+#include "lodlab/core/schedule.hpp"
 
 namespace lod {
 
@@ -18,7 +18,7 @@ struct FrameSettings {
     PointModel point_model = PointModel::radius_ratio;
     Response response = Response::net;
     Priority priority = Priority::closing_speed;
-    FinestDetail finest;  ///< beyond the leaves; a warm frame allocates nothing without it
+    FinestDetail finest = {};  ///< beyond the leaves; a warm frame allocates nothing without it
 };
 
 /// What a frame found of one candidate pair; the lists it points into are the record's.

@@ -1,4 +1,4 @@
-#include "core/front_contacts.hpp"
+#include "lodlab/core/front_contacts.hpp"
 
 #include <algorithm>
 #include <utility>

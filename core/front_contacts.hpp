@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/contact.hpp"
-#include "core/traversal.hpp"
+#include "lodlab/core/contact.hpp"
+#include "lodlab/core/traversal.hpp"
 
 namespace lod {
 

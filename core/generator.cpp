@@ -1,9 +1,9 @@
-#include "core/generator.hpp"
+#include "lodlab/core/generator.hpp"
 
 #include <charconv>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/impact.hpp"
+#include "lodlab/core/impact.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "core/contact.hpp"
+#include "lodlab/core/contact.hpp"
 
 namespace lod {
 

@@ -1,4 +1,4 @@
-#include "core/integrate.hpp"
+#include "lodlab/core/integrate.hpp"
 
 namespace lod {
 

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/body.hpp"
+#include "lodlab/core/body.hpp"
 
 namespace lod {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "core/bits.hpp"
+#include "lodlab/core/bits.hpp"
 
 namespace lod {
 

@@ -1,6 +1,6 @@
-#include "core/level_impact.hpp"
+#include "lodlab/core/level_impact.hpp"
 
-#include "core/ball_union.hpp"
+#include "lodlab/core/ball_union.hpp"
 
 namespace lod {
 

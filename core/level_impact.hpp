@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/time_of_impact.hpp"
+#include "lodlab/core/time_of_impact.hpp"
 
 namespace lod {
 

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "core/bits.hpp"
+#include "lodlab/core/bits.hpp"
 
 /// Vectors, matrices and quaternions of the method: of fixed size, plain rows of doubles with the
 /// alignment of a double. Their layout follows from the types alone, and every sum is taken in the
@@ -192,7 +192,7 @@ struct FixedMatrix {
     [[nodiscard]] LOD_INLINE double stableNorm() const {
         const double most = cwiseAbs().maxCoeff();
         if (!(most > 0) || !std::isfinite(most)) return most == 0 ? 0 : norm();
-        constexpr double largest = std::numeric_limits<double>::max();
+        constexpr double largest = (std::numeric_limits<double>::max)();
         if (1 / most > largest) return (*this * largest).norm() / largest;  // subnormal numbers
         return most * (*this * (1 / most)).norm();
     }

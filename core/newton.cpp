@@ -1,4 +1,4 @@
-#include "core/newton.hpp"
+#include "lodlab/core/newton.hpp"
 
 #include <algorithm>
 #include <cmath>

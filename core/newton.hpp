@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/impact.hpp"
+#include "lodlab/core/impact.hpp"
 
 namespace lod {
 

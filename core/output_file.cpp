@@ -1,4 +1,4 @@
-#include "core/output_file.hpp"
+#include "lodlab/core/output_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include <fstream>
 #include <string>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod {
 namespace {
@@ -19,13 +19,17 @@ constexpr int most_names = 100;
 std::string mend(int error_number) {
     switch (error_number) {
         case ENOSPC:
-        case EDQUOT: return "free some space or choose another disk";
+        case EDQUOT:
+            return "free some space or choose another disk";
         case EACCES:
         case EPERM:
-        case EROFS: return "choose a folder that you may write to";
+        case EROFS:
+            return "choose a folder that you may write to";
         case ENOENT:
-        case ENOTDIR: return "make the folder first, or choose another";
-        default: return "choose another place";
+        case ENOTDIR:
+            return "make the folder first, or choose another";
+        default:
+            return "choose another place";
     }
 }
 
@@ -51,8 +55,7 @@ OutputFile::~OutputFile() {
 void OutputFile::write(const void* bytes, std::size_t count) {
     const char* next = static_cast<const char*>(bytes);
     while (count > 0) {
-        const ssize_t written =
-            ::pwrite(descriptor_, next, count, static_cast<off_t>(position_));
+        const ssize_t written = ::pwrite(descriptor_, next, count, static_cast<off_t>(position_));
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) fail(written < 0 ? errno : ENOSPC);
         next += written;
@@ -62,7 +65,9 @@ void OutputFile::write(const void* bytes, std::size_t count) {
     }
 }
 
-void OutputFile::seek(std::size_t position) { position_ = position; }
+void OutputFile::seek(std::size_t position) {
+    position_ = position;
+}
 
 void OutputFile::commit() {
     // A pipe or a device cannot be synchronised; a full disk says so here at the latest.
@@ -103,10 +108,10 @@ std::string read_text_file(const std::filesystem::path& path, std::size_t most_b
                     "cannot read " + path.string() + ": not a regular file; name a file");
     const auto bytes = static_cast<std::size_t>(status.st_size);
     if (bytes > most_bytes)
-        throw Error(ErrorKind::limit_exceeded,
-                    "cannot read " + path.string() + ": " + std::to_string(bytes) +
-                        " bytes, the limit is " + std::to_string(most_bytes) +
-                        "; simplify the file or raise the limit");
+        throw Error(ErrorKind::limit_exceeded, "cannot read " + path.string() + ": " +
+                                                   std::to_string(bytes) + " bytes, the limit is " +
+                                                   std::to_string(most_bytes) +
+                                                   "; simplify the file or raise the limit");
     std::ifstream in(path, std::ios::binary);
     std::string text(bytes, '\0');
     if (!in.read(text.data(), static_cast<std::streamsize>(bytes)))

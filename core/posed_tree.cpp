@@ -1,4 +1,4 @@
-#include "core/posed_tree.hpp"
+#include "lodlab/core/posed_tree.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/body.hpp"
+#include "lodlab/core/body.hpp"
 
 namespace lod {
 

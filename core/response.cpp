@@ -1,10 +1,10 @@
-#include "core/response.hpp"
+#include "lodlab/core/response.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-#include "core/newton.hpp"
+#include "lodlab/core/newton.hpp"
 
 namespace lod {
 namespace {

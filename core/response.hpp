@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/impact.hpp"
+#include "lodlab/core/impact.hpp"
 
 namespace lod {
 

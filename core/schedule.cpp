@@ -1,4 +1,4 @@
-#include "core/schedule.hpp"
+#include "lodlab/core/schedule.hpp"
 
 #include <algorithm>
 #include <numeric>

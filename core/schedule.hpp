@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/broad_phase.hpp"
-#include "core/traversal.hpp"
+#include "lodlab/core/broad_phase.hpp"
+#include "lodlab/core/traversal.hpp"
 
 namespace lod {
 

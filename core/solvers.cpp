@@ -9,7 +9,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include "core/solvers.hpp"
+#include "lodlab/core/solvers.hpp"
 
 namespace lod {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/linear.hpp"
+#include "lodlab/core/linear.hpp"
 
 /// Small systems of linear equations, solved by Eigen, which only solvers.cpp sees.
 namespace lod {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/body.hpp"
+#include "lodlab/core/body.hpp"
 
 namespace lod {
 

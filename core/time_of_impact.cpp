@@ -1,11 +1,11 @@
-#include "core/time_of_impact.hpp"
+#include "lodlab/core/time_of_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/approach.hpp"
-#include "core/error.hpp"
-#include "core/impact.hpp"
+#include "lodlab/core/approach.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/impact.hpp"
 
 namespace lod {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/exact_shape.hpp"
+#include "lodlab/core/exact_shape.hpp"
 
 namespace lod {
 

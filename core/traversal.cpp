@@ -1,4 +1,4 @@
-#include "core/traversal.hpp"
+#include "lodlab/core/traversal.hpp"
 
 #include <algorithm>
 #include <array>

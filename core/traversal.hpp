@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/budget.hpp"
-#include "core/posed_tree.hpp"
+#include "lodlab/core/budget.hpp"
+#include "lodlab/core/posed_tree.hpp"
 
 namespace lod {
 

@@ -1,8 +1,8 @@
-#include "core/tree.hpp"
+#include "lodlab/core/tree.hpp"
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod {
 
@@ -68,7 +68,8 @@ Order breadth_first(std::span<const TreeNode<Dim>> nodes) {
         }
     }
     if (order.nodes.size() != nodes.size())
-        throw Error(ErrorKind::input_refused, "not a tree: some nodes are not reached from the root");
+        throw Error(ErrorKind::input_refused,
+                    "not a tree: some nodes are not reached from the root");
     order.level_begin.push_back(static_cast<std::int32_t>(nodes.size()));
     return order;
 }
@@ -89,8 +90,7 @@ SphereTree<Dim> lay_out(std::span<const TreeNode<Dim>> nodes) {
             tree.normal[d].push_back(node.mean_normal[static_cast<int>(d)]);
         }
         tree.radius.push_back(node.sphere.radius);
-        tree.extent =
-            std::max(tree.extent, node.sphere.centre.stableNorm() + node.sphere.radius);
+        tree.extent = std::max(tree.extent, node.sphere.centre.stableNorm() + node.sphere.radius);
         const auto count = static_cast<std::int32_t>(node.children.size());
         tree.first_child.push_back(next_child);
         tree.child_count.push_back(count);

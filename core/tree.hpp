@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/sphere.hpp"
+#include "lodlab/core/sphere.hpp"
 
 namespace lod {
 

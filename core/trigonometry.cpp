@@ -1,4 +1,4 @@
-#include "core/trigonometry.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/exact_shape.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/exact_shape.hpp"
 
 namespace lod {
 
@@ -43,12 +43,12 @@ class PairWalk {
                 visit_facets(at, visitor);
                 continue;
             }
-            Pair near = opens_a(at) ? pair_of(at.a + 1, at.b) : pair_of(at.a, at.b + 1);
-            Pair far =
+            Pair nearer = opens_a(at) ? pair_of(at.a + 1, at.b) : pair_of(at.a, at.b + 1);
+            Pair farther =
                 opens_a(at) ? pair_of(at.node_a.second, at.b) : pair_of(at.a, at.node_b.second);
-            if (far.gap < near.gap) std::swap(near, far);
-            waiting.push_back(far);
-            waiting.push_back(near);
+            if (farther.gap < nearer.gap) std::swap(nearer, farther);
+            waiting.push_back(farther);
+            waiting.push_back(nearer);
         }
     }
 

@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/frame.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
+#include <lodlab/core/frame.hpp>
+#include <lodlab/lod2d/build_tree.hpp>
+#include <lodlab/lod2d/generators.hpp>
 
 int main() {
     const lod2d::Shape gear = lod2d::generate("gear:9");

@@ -1,10 +1,10 @@
 // Builds the circle tree of a gear and proves that it covers the gear at every level.
 #include <cstdio>
 
-#include "core/builder/certify.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/piece.hpp"
+#include <lodlab/core/builder/certify.hpp>
+#include <lodlab/lod2d/build_tree.hpp>
+#include <lodlab/lod2d/generators.hpp>
+#include <lodlab/lod2d/piece.hpp>
 
 int main() {
     const lod2d::Shape gear = lod2d::generate("gear:9");

@@ -1,9 +1,9 @@
 // A figure is data: a star under the circles of one level of its tree, as PNG and as SVG.
 #include <string>
 
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "viz/write.hpp"
+#include <lodlab/lod2d/build_tree.hpp>
+#include <lodlab/lod2d/generators.hpp>
+#include <lodlab/viz/write.hpp>
 
 int main() {
     const lod2d::Shape star = lod2d::generate("star:5");

@@ -2,9 +2,9 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/frame.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
+#include <lodlab/core/frame.hpp>
+#include <lodlab/lod2d/build_tree.hpp>
+#include <lodlab/lod2d/generators.hpp>
 
 lod::Body<2> body_of(const char* name, lod::Vector<2> position, lod::Vector<2> velocity) {
     const lod2d::Shape shape = lod2d::generate(name);

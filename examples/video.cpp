@@ -1,11 +1,11 @@
 // Steps two bodies and films them: every frame of the video is a figure made from the bodies.
 #include <vector>
 
-#include "core/frame.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "viz/scene_view.hpp"
-#include "viz/write.hpp"
+#include <lodlab/core/frame.hpp>
+#include <lodlab/lod2d/build_tree.hpp>
+#include <lodlab/lod2d/generators.hpp>
+#include <lodlab/viz/scene_view.hpp>
+#include <lodlab/viz/write.hpp>
 
 std::vector<viz::Ring> outline(const lod2d::Shape& shape) {
     std::vector<viz::Ring> rings;

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "core/tree.hpp"
+#include "lodlab/core/tree.hpp"
 
 namespace io {
 

@@ -1,11 +1,11 @@
-#include "io/tree_json.hpp"
+#include "lodlab/io/tree_json.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
 
 namespace io {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/tree.hpp"
+#include "lodlab/core/tree.hpp"
 
 namespace io {
 

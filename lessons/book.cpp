@@ -7,12 +7,12 @@
 #include <kainjow/mustache.hpp>
 #include <system_error>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
 #include "lessons/embedded.hpp"
 #include "lessons/markdown.hpp"
 #include "lessons/page.hpp"
 #include "lessons/source.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
 
 namespace lessons {
 namespace {

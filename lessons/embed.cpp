@@ -13,9 +13,9 @@
 #include <set>
 #include <sstream>
 
-#include "core/error.hpp"
 #include "lessons/markdown.hpp"
 #include "lessons/source.hpp"
+#include "lodlab/core/error.hpp"
 
 extern char** environ;
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/error.hpp"
 #include "lessons/embedded.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lessons {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "viz/figure.hpp"
-#include "viz/write.hpp"
+#include "lodlab/viz/figure.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace lessons {
 

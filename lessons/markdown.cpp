@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lessons {
 namespace {

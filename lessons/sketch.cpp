@@ -4,8 +4,8 @@
 #include <charconv>
 #include <limits>
 
-#include "core/error.hpp"
 #include "lessons/source.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lessons {
 

@@ -5,14 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "core/body.hpp"
-#include "core/traversal.hpp"
 #include "lessons/lessons.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/shape.hpp"
-#include "lod3d/solid.hpp"
-#include "viz/draw_scene.hpp"
+#include "lodlab/core/body.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/shape.hpp"
+#include "lodlab/lod3d/solid.hpp"
+#include "lodlab/viz/draw_scene.hpp"
 
 // Words and marks that lessons share.
 namespace lessons {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lessons {
 namespace {

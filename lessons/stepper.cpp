@@ -6,10 +6,10 @@
 #include <ostream>
 #include <system_error>
 
-#include "core/error.hpp"
 #include "lessons/lessons.hpp"
 #include "lessons/plain.hpp"
 #include "lessons/viewer.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lessons {
 namespace {

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <vector>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 extern char** environ;
 

@@ -1,4 +1,4 @@
-#include "lod2d/box2d_reference.hpp"
+#include "lodlab/lod2d/box2d_reference.hpp"
 
 #include <box2d/box2d.h>
 
@@ -9,8 +9,8 @@
 #include <map>
 #include <string>
 
-#include "core/error.hpp"
-#include "core/trigonometry.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "core/body.hpp"
-#include "lod2d/convex_parts.hpp"
-#include "lod2d/shape.hpp"
+#include "lodlab/core/body.hpp"
+#include "lodlab/lod2d/convex_parts.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

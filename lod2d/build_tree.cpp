@@ -1,15 +1,15 @@
-#include "lod2d/build_tree.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
 
 #include <array>
 #include <string>
 
-#include "core/builder/certify.hpp"
-#include "core/builder/grow.hpp"
-#include "core/error.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/medial.hpp"
-#include "lod2d/pieces.hpp"
-#include "lod2d/quadtree.hpp"
+#include "lodlab/core/builder/certify.hpp"
+#include "lodlab/core/builder/grow.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/medial.hpp"
+#include "lodlab/lod2d/pieces.hpp"
+#include "lodlab/lod2d/quadtree.hpp"
 
 namespace lod2d {
 namespace {

@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/tree.hpp"
-#include "lod2d/shape.hpp"
+#include "lodlab/core/tree.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

@@ -1,13 +1,13 @@
-#include "lod2d/clean.hpp"
+#include "lodlab/lod2d/clean.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <polyclipping/clipper.hpp>
 #include <unordered_map>
 
-#include "core/error.hpp"
-#include "lod2d/clean_work.hpp"
-#include "lod2d/distance.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/clean_work.hpp"
+#include "lodlab/lod2d/distance.hpp"
 
 namespace lod2d {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lod2d/shape.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

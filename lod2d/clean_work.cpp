@@ -1,10 +1,10 @@
-#include "lod2d/clean_work.hpp"
+#include "lodlab/lod2d/clean_work.hpp"
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/orientation.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/orientation.hpp"
 
 namespace lod2d {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "lod2d/clean.hpp"
+#include "lodlab/lod2d/clean.hpp"
 
 namespace lod2d {
 

@@ -1,10 +1,10 @@
-#include "lod2d/convex_parts.hpp"
+#include "lodlab/lod2d/convex_parts.hpp"
 
 #include <algorithm>
 #include <map>
 #include <span>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod2d {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lod2d/shape.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

@@ -1,9 +1,9 @@
-#include "lod2d/curve_path.hpp"
+#include "lodlab/lod2d/curve_path.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/trigonometry.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lod2d/shape.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

@@ -1,8 +1,8 @@
-#include "lod2d/disc_fit.hpp"
+#include "lodlab/lod2d/disc_fit.hpp"
 
 #include <algorithm>
 
-#include "core/builder/least_excess.hpp"
+#include "lodlab/core/builder/least_excess.hpp"
 
 namespace lod2d {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "core/sphere.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/piece.hpp"
+#include "lodlab/core/sphere.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/piece.hpp"
 
 namespace lod2d {
 

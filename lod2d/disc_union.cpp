@@ -1,4 +1,4 @@
-#include "lod2d/disc_union.hpp"
+#include "lodlab/lod2d/disc_union.hpp"
 
 #include <algorithm>
 #include <cmath>

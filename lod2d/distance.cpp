@@ -1,11 +1,11 @@
-#include "lod2d/distance.hpp"
+#include "lodlab/lod2d/distance.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
-#include "lod2d/orientation.hpp"
+#include "lodlab/lod2d/orientation.hpp"
 
 namespace lod2d {
 Point nearest_on_segment(const Point& a, const Point& b, const Point& p) {

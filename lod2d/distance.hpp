@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lod2d/shape.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lod2d/clean.hpp"
-#include "lod2d/curve_path.hpp"
+#include "lodlab/lod2d/clean.hpp"
+#include "lodlab/lod2d/curve_path.hpp"
 
 namespace lod2d {
 

@@ -1,4 +1,4 @@
-#include "lod2d/font.hpp"
+#include "lodlab/lod2d/font.hpp"
 
 #include <fontconfig/fontconfig.h>
 #include <ft2build.h>
@@ -9,7 +9,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod2d {
 namespace {

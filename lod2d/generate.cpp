@@ -1,4 +1,4 @@
-#include "lod2d/generators.hpp"
+#include "lodlab/lod2d/generators.hpp"
 
 namespace lod2d {
 

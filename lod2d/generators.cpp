@@ -1,12 +1,12 @@
-#include "lod2d/generators.hpp"
+#include "lodlab/lod2d/generators.hpp"
 
 #include <cmath>
 #include <cstdint>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "core/random.hpp"
-#include "core/trigonometry.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

@@ -3,8 +3,8 @@
 #include <span>
 #include <string_view>
 
-#include "core/generator.hpp"
-#include "lod2d/shape.hpp"
+#include "lodlab/core/generator.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

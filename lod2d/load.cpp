@@ -1,11 +1,11 @@
-#include "lod2d/load.hpp"
+#include "lodlab/lod2d/load.hpp"
 
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "lod2d/font.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/svg.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/font.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/svg.hpp"
 
 namespace lod2d {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "lod2d/filled_paths.hpp"
+#include "lodlab/lod2d/filled_paths.hpp"
 
 namespace lod2d {
 

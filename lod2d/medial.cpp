@@ -1,11 +1,11 @@
-#include "lod2d/medial.hpp"
+#include "lodlab/lod2d/medial.hpp"
 
 #include <cmath>
 
-#include "core/builder/seeds.hpp"
-#include "lod2d/disc_fit.hpp"
-#include "lod2d/medial_axis.hpp"
-#include "lod2d/medial_cover.hpp"
+#include "lodlab/core/builder/seeds.hpp"
+#include "lodlab/lod2d/disc_fit.hpp"
+#include "lodlab/lod2d/medial_axis.hpp"
+#include "lodlab/lod2d/medial_cover.hpp"
 
 namespace lod2d {
 namespace {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "core/builder/grow.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/piece.hpp"
-#include "lod2d/shape.hpp"
+#include "lodlab/core/builder/grow.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/piece.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

@@ -1,4 +1,4 @@
-#include "lod2d/medial_axis.hpp"
+#include "lodlab/lod2d/medial_axis.hpp"
 
 #include <algorithm>
 #include <boost/polygon/point_data.hpp>
@@ -6,8 +6,8 @@
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "lod2d/orientation.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/orientation.hpp"
 
 namespace lod2d {
 namespace {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/sphere.hpp"
-#include "lod2d/shape.hpp"
+#include "lodlab/core/sphere.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

@@ -1,4 +1,4 @@
-#include "lod2d/medial_cover.hpp"
+#include "lodlab/lod2d/medial_cover.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "lod2d/orientation.hpp"
+#include "lodlab/lod2d/orientation.hpp"
 
 #include <algorithm>
 #include <cmath>

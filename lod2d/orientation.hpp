@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lod2d/shape.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

@@ -1,10 +1,10 @@
-#include "lod2d/outline.hpp"
+#include "lodlab/lod2d/outline.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "lod2d/orientation.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/orientation.hpp"
 
 namespace lod2d {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "core/walk_pairs.hpp"
-#include "lod2d/distance.hpp"
+#include "lodlab/core/walk_pairs.hpp"
+#include "lodlab/lod2d/distance.hpp"
 
 namespace lod2d {
 

@@ -1,11 +1,11 @@
-#include "lod2d/overlap.hpp"
+#include "lodlab/lod2d/overlap.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
-#include "lod2d/orientation.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/orientation.hpp"
 
 namespace lod2d {
 namespace {

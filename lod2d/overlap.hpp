@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lod2d/distance.hpp"
+#include "lodlab/lod2d/distance.hpp"
 
 namespace lod2d {
 

@@ -1,8 +1,8 @@
-#include "lod2d/piece.hpp"
+#include "lodlab/lod2d/piece.hpp"
 
 #include <algorithm>
 
-#include "core/builder/piece.hpp"
+#include "lodlab/core/builder/piece.hpp"
 
 namespace lod2d {
 namespace {

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "core/builder/half_space.hpp"
-#include "core/sphere.hpp"
-#include "lod2d/convex_parts.hpp"
+#include "lodlab/core/builder/half_space.hpp"
+#include "lodlab/core/sphere.hpp"
+#include "lodlab/lod2d/convex_parts.hpp"
 
 namespace lod2d {
 
@@ -18,8 +18,8 @@ struct BorderSegment {
     std::int32_t edge = 0;  ///< of the polygon, counted over its rings in order
 };
 
-/// The part of a shape that a node of its circle tree owns (core/builder/grow.hpp): convex polygons,
-/// and the shape's border among them. Body frame, metres.
+/// The part of a shape that a node of its circle tree owns (core/builder/grow.hpp): convex
+/// polygons, and the shape's border among them. Body frame, metres.
 class PolygonPiece {
   public:
     PolygonPiece() = default;

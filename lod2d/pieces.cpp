@@ -1,7 +1,7 @@
-#include "lod2d/pieces.hpp"
+#include "lodlab/lod2d/pieces.hpp"
 
-#include "core/builder/seeds.hpp"
-#include "lod2d/disc_fit.hpp"
+#include "lodlab/core/builder/seeds.hpp"
+#include "lodlab/lod2d/disc_fit.hpp"
 
 namespace lod2d {
 namespace {

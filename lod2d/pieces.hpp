@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/builder/grow.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/piece.hpp"
+#include "lodlab/core/builder/grow.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/piece.hpp"
 
 namespace lod2d {
 

@@ -1,6 +1,6 @@
-#include "lod2d/quadtree.hpp"
+#include "lodlab/lod2d/quadtree.hpp"
 
-#include "core/builder/grid_tree.hpp"
+#include "lodlab/core/builder/grid_tree.hpp"
 
 namespace lod2d {
 

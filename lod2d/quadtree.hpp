@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/builder/grow.hpp"
-#include "lod2d/piece.hpp"
+#include "lodlab/core/builder/grow.hpp"
+#include "lodlab/lod2d/piece.hpp"
 
 namespace lod2d {
 

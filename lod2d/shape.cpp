@@ -1,8 +1,8 @@
-#include "lod2d/shape.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 #include <cmath>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod2d {
 namespace {

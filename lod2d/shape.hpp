@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/box.hpp"
+#include "lodlab/core/box.hpp"
 
 namespace lod2d {
 

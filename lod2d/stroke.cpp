@@ -1,4 +1,4 @@
-#include "lod2d/stroke.hpp"
+#include "lodlab/lod2d/stroke.hpp"
 
 #include <cmath>
 #include <polyclipping/clipper.hpp>

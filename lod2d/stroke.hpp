@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lod2d/clean.hpp"
-#include "lod2d/curve_path.hpp"
+#include "lodlab/lod2d/clean.hpp"
+#include "lodlab/lod2d/curve_path.hpp"
 
 namespace lod2d {
 

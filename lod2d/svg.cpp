@@ -1,11 +1,11 @@
-#include "lod2d/svg.hpp"
+#include "lodlab/lod2d/svg.hpp"
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "lod2d/stroke.hpp"
-#include "lod2d/svg_document.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/lod2d/stroke.hpp"
+#include "lodlab/lod2d/svg_document.hpp"
 
 namespace lod2d {
 namespace {

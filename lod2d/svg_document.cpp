@@ -1,12 +1,12 @@
-#include "lod2d/svg_document.hpp"
+#include "lodlab/lod2d/svg_document.hpp"
 
 #include <algorithm>
 #include <pugixml.hpp>
 #include <unordered_map>
 
-#include "core/error.hpp"
-#include "lod2d/svg_style.hpp"
-#include "lod2d/svg_text.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/svg_style.hpp"
+#include "lodlab/lod2d/svg_text.hpp"
 
 namespace lod2d {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "lod2d/svg.hpp"
+#include "lodlab/lod2d/svg.hpp"
 
 namespace lod2d {
 

@@ -1,6 +1,6 @@
 #include <numbers>
 
-#include "lod2d/svg_text.hpp"
+#include "lodlab/lod2d/svg_text.hpp"
 
 namespace lod2d {
 namespace {

@@ -1,9 +1,9 @@
-#include "lod2d/svg_style.hpp"
+#include "lodlab/lod2d/svg_style.hpp"
 
 #include <algorithm>
 #include <pugixml.hpp>
 
-#include "lod2d/svg_text.hpp"
+#include "lodlab/lod2d/svg_text.hpp"
 
 namespace lod2d {
 namespace {

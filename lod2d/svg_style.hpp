@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "lod2d/clean.hpp"
+#include "lodlab/lod2d/clean.hpp"
 
 namespace pugi {
 class xml_node;

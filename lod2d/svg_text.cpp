@@ -1,10 +1,10 @@
-#include "lod2d/svg_text.hpp"
+#include "lodlab/lod2d/svg_text.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <numbers>
 
-#include "core/trigonometry.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lod2d/curve_path.hpp"
+#include "lodlab/lod2d/curve_path.hpp"
 
 // The small languages inside SVG attributes. Each parser throws SvgTextError where the text does
 // not follow its grammar.

@@ -1,10 +1,10 @@
-#include "lod2d/tree_report.hpp"
+#include "lodlab/lod2d/tree_report.hpp"
 
 #include <cmath>
 
-#include "lod2d/disc_union.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/piece.hpp"
+#include "lodlab/lod2d/disc_union.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/piece.hpp"
 
 namespace lod2d {
 namespace {

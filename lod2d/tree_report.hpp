@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/builder/tree_report.hpp"
-#include "core/tree.hpp"
-#include "lod2d/shape.hpp"
+#include "lodlab/core/builder/tree_report.hpp"
+#include "lodlab/core/tree.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {
 

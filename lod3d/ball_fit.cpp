@@ -1,11 +1,11 @@
-#include "lod3d/ball_fit.hpp"
+#include "lodlab/lod3d/ball_fit.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 
-#include "core/builder/least_excess.hpp"
+#include "lodlab/core/builder/least_excess.hpp"
 
 namespace lod3d {
 namespace {
@@ -106,8 +106,9 @@ std::vector<Point> spread_points(const MeshPiece& piece, const MeshDistance& dis
 
 namespace {
 
-/// From the place, so that the order of the pieces does not matter. Of 0 to 5 as first value, bunny's
-/// tree took 18 to 24 s, and its leaves stood out by 2.0 to 3.2 %: 4 gave the best; all are luck.
+/// From the place, so that the order of the pieces does not matter. Of 0 to 5 as first value,
+/// bunny's tree took 18 to 24 s, and its leaves stood out by 2.0 to 3.2 %: 4 gave the best; all are
+/// luck.
 std::uint64_t seed_at(const Point& place) {
     std::uint64_t seed = 4;
     for (int d = 0; d < 3; ++d) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/builder/grow.hpp"
-#include "lod3d/distance_field.hpp"
-#include "lod3d/piece.hpp"
+#include "lodlab/core/builder/grow.hpp"
+#include "lodlab/lod3d/distance_field.hpp"
+#include "lodlab/lod3d/piece.hpp"
 
 namespace lod3d {
 

@@ -1,4 +1,4 @@
-#include "lod3d/convex_cell.hpp"
+#include "lodlab/lod3d/convex_cell.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "core/builder/half_space.hpp"
-#include "lod3d/mesh.hpp"
+#include "lodlab/core/builder/half_space.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 namespace lod3d {
 

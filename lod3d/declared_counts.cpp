@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/error.hpp"
-#include "lod3d/import_limits.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/import_limits.hpp"
 
 namespace lod3d {
 namespace {

@@ -1,4 +1,4 @@
-#include "lod3d/distance.hpp"
+#include "lodlab/lod3d/distance.hpp"
 
 #include <algorithm>
 #include <array>

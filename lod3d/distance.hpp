@@ -3,7 +3,7 @@
 #include <limits>
 #include <vector>
 
-#include "lod3d/wide_tree.hpp"
+#include "lodlab/lod3d/wide_tree.hpp"
 
 namespace lod3d {
 
@@ -53,7 +53,7 @@ class MeshDistance {
 
     /// Distance from the solid, 0 inside [m].
     [[nodiscard]] double distance(const Point& p) const {
-        return std::max(signed_distance(p), 0.0);
+        return (std::max)(signed_distance(p), 0.0);
     }
     /// The same where it is more than the floor; else 0. Ends at the first triangle that shows the
     /// latter.

@@ -1,9 +1,9 @@
-#include "lod3d/distance_field.hpp"
+#include "lodlab/lod3d/distance_field.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod3d {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/builder/cover.hpp"
-#include "lod3d/distance.hpp"
+#include "lodlab/core/builder/cover.hpp"
+#include "lodlab/lod3d/distance.hpp"
 
 namespace lod3d {
 

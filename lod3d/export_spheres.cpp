@@ -1,10 +1,10 @@
-#include "lod3d/export_spheres.hpp"
+#include "lodlab/lod3d/export_spheres.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod3d {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/tree.hpp"
-#include "lod3d/mesh.hpp"
+#include "lodlab/core/tree.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 namespace lod3d {
 

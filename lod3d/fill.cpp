@@ -1,10 +1,10 @@
-#include "lod3d/fill.hpp"
+#include "lodlab/lod3d/fill.hpp"
 
 #include <algorithm>
 #include <unordered_map>
 
-#include "core/error.hpp"
-#include "lod3d/distance.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/distance.hpp"
 
 namespace lod3d {
 namespace {

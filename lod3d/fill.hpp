@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 namespace lod3d {
 

@@ -1,4 +1,4 @@
-#include "lod3d/generators.hpp"
+#include "lodlab/lod3d/generators.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "core/error.hpp"
-#include "core/random.hpp"
-#include "core/trigonometry.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 namespace lod3d {
 namespace {

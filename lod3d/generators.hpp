@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/generator.hpp"
-#include "lod3d/solid.hpp"
+#include "lodlab/core/generator.hpp"
+#include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {
 

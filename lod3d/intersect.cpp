@@ -1,4 +1,4 @@
-#include "lod3d/intersect.hpp"
+#include "lodlab/lod3d/intersect.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lod3d/triangle_tree.hpp"
+#include "lodlab/lod3d/triangle_tree.hpp"
 
 namespace lod3d {
 

@@ -1,5 +1,5 @@
 // The only file that knows assimp.
-#include "lod3d/load_mesh.hpp"
+#include "lodlab/lod3d/load_mesh.hpp"
 
 #include <assimp/DefaultIOSystem.h>
 #include <assimp/importerdesc.h>
@@ -19,7 +19,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod3d {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "lod3d/import_limits.hpp"
-#include "lod3d/mesh.hpp"
+#include "lodlab/lod3d/import_limits.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 namespace lod3d {
 

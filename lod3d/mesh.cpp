@@ -1,4 +1,4 @@
-#include "lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod3d {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/box.hpp"
+#include "lodlab/core/box.hpp"
 
 namespace lod3d {
 

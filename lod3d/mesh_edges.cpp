@@ -3,7 +3,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 namespace lod3d {
 namespace {

@@ -1,9 +1,9 @@
-#include "lod3d/piece.hpp"
+#include "lodlab/lod3d/piece.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/builder/enclosing_ball.hpp"
+#include "lodlab/core/builder/enclosing_ball.hpp"
 
 namespace lod3d {
 namespace {

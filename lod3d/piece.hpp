@@ -3,9 +3,9 @@
 #include <memory>
 #include <utility>
 
-#include "core/sphere.hpp"
-#include "lod3d/convex_cell.hpp"
-#include "lod3d/solid.hpp"
+#include "lodlab/core/sphere.hpp"
+#include "lodlab/lod3d/convex_cell.hpp"
+#include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {
 

@@ -1,10 +1,10 @@
-#include "lod3d/solid.hpp"
+#include "lodlab/lod3d/solid.hpp"
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "lod3d/fill.hpp"
-#include "lod3d/intersect.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/fill.hpp"
+#include "lodlab/lod3d/intersect.hpp"
 
 namespace lod3d {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lod3d/distance.hpp"
+#include "lodlab/lod3d/distance.hpp"
 
 namespace lod3d {
 

@@ -1,4 +1,4 @@
-#include "lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/sphere_tree.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,9 +6,9 @@
 #include <numbers>
 #include <string>
 
-#include "core/builder/grid_tree.hpp"
-#include "core/trigonometry.hpp"
-#include "lod3d/ball_fit.hpp"
+#include "lodlab/core/builder/grid_tree.hpp"
+#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/lod3d/ball_fit.hpp"
 
 namespace lod3d {
 namespace {

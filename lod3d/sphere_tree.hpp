@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
-#include "core/builder/tree_report.hpp"
-#include "core/tree.hpp"
-#include "lod3d/solid.hpp"
+#include "lodlab/core/builder/tree_report.hpp"
+#include "lodlab/core/tree.hpp"
+#include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {
 

@@ -1,11 +1,11 @@
-#include "lod3d/surface.hpp"
+#include "lodlab/lod3d/surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "core/error.hpp"
-#include "lod3d/intersect.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/intersect.hpp"
 
 namespace lod3d {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/walk_pairs.hpp"
-#include "lod3d/solid.hpp"
+#include "lodlab/core/walk_pairs.hpp"
+#include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {
 

@@ -1,4 +1,4 @@
-#include "lod3d/triangle_tree.hpp"
+#include "lodlab/lod3d/triangle_tree.hpp"
 
 #include <algorithm>
 #include <array>

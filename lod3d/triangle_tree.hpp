@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 namespace lod3d {
 

@@ -1,4 +1,4 @@
-#include "lod3d/wide_tree.hpp"
+#include "lodlab/lod3d/wide_tree.hpp"
 
 #include <limits>
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/lanes.hpp"
-#include "lod3d/triangle_tree.hpp"
+#include "lodlab/core/lanes.hpp"
+#include "lodlab/lod3d/triangle_tree.hpp"
 
 namespace lod3d {
 
@@ -37,7 +37,7 @@ class WideTree {
     }
     /// A squared distance [m^2] in units of the mesh.
     [[nodiscard]] float squared(double distance) const {
-        return static_cast<float>(std::min(distance * per_unit_ * per_unit_, most_squared));
+        return static_cast<float>((std::min)(distance * per_unit_ * per_unit_, most_squared));
     }
 
     /// No more than the squared distance of the point from each box, in units of the mesh.

@@ -1,4 +1,4 @@
-#include "measure/collisions.hpp"
+#include "lodlab/measure/collisions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "core/body.hpp"
-#include "lod2d/box2d_reference.hpp"
-#include "scenes/run.hpp"
+#include "lodlab/core/body.hpp"
+#include "lodlab/lod2d/box2d_reference.hpp"
+#include "lodlab/scenes/run.hpp"
 
 namespace measure {
 

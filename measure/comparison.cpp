@@ -1,4 +1,4 @@
-#include "measure/comparison.hpp"
+#include "lodlab/measure/comparison.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "core/error.hpp"
-#include "measure/plane_bodies.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/measure/plane_bodies.hpp"
 
 namespace measure {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "measure/first_impact.hpp"
-#include "measure/perceived.hpp"
+#include "lodlab/measure/first_impact.hpp"
+#include "lodlab/measure/perceived.hpp"
 
 namespace measure {
 

@@ -1,12 +1,12 @@
-#include "measure/curves.hpp"
+#include "lodlab/measure/curves.hpp"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "scenes/scene.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/scenes/scene.hpp"
 
 namespace measure {
 namespace {

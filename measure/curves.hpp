@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "measure/degrade.hpp"
+#include "lodlab/measure/degrade.hpp"
 
 namespace measure {
 

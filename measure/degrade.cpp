@@ -1,12 +1,12 @@
-#include "measure/degrade.hpp"
+#include "lodlab/measure/degrade.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/exact_shape.hpp"
-#include "measure/first_impact.hpp"
-#include "measure/free_flight.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/exact_shape.hpp"
+#include "lodlab/measure/first_impact.hpp"
+#include "lodlab/measure/free_flight.hpp"
 
 namespace measure {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/frame.hpp"
-#include "measure/ensemble.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/measure/ensemble.hpp"
 
 namespace measure {
 

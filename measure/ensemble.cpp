@@ -1,12 +1,12 @@
-#include "measure/ensemble.hpp"
+#include "lodlab/measure/ensemble.hpp"
 
 #include <numbers>
 
-#include "core/error.hpp"
-#include "core/impact.hpp"
-#include "core/random.hpp"
-#include "measure/exact_shapes.hpp"
-#include "measure/free_flight.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/impact.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/measure/exact_shapes.hpp"
+#include "lodlab/measure/free_flight.hpp"
 
 namespace measure {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/body.hpp"
-#include "core/time_of_impact.hpp"
-#include "scenes/shapes.hpp"
+#include "lodlab/core/body.hpp"
+#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/scenes/shapes.hpp"
 
 namespace measure {
 
@@ -22,7 +22,7 @@ struct Kind {
     std::vector<double> protrusion;
 
     [[nodiscard]] double protrusion_at(int level) const {
-        return protrusion[std::min(static_cast<std::size_t>(level), protrusion.size() - 1)];
+        return protrusion[(std::min)(static_cast<std::size_t>(level), protrusion.size() - 1)];
     }
 };
 

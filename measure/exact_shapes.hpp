@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "lod2d/outline.hpp"
-#include "lod3d/surface.hpp"
+#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod3d/surface.hpp"
 
 namespace measure {
 

@@ -1,10 +1,10 @@
-#include "measure/first_impact.hpp"
+#include "lodlab/measure/first_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/time_of_impact.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/time_of_impact.hpp"
 
 namespace measure {
 

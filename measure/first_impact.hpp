@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "measure/collisions.hpp"
+#include "lodlab/measure/collisions.hpp"
 
 namespace measure {
 

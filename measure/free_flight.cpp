@@ -1,12 +1,12 @@
-#include "measure/free_flight.hpp"
+#include "lodlab/measure/free_flight.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <queue>
 
-#include "core/error.hpp"
-#include "core/exact_shape.hpp"
-#include "core/integrate.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/exact_shape.hpp"
+#include "lodlab/core/integrate.hpp"
 
 namespace measure {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/posed_tree.hpp"
+#include "lodlab/core/posed_tree.hpp"
 
 namespace measure {
 

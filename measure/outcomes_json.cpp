@@ -1,9 +1,9 @@
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "measure/curves.hpp"
-#include "scenes/scene.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/measure/curves.hpp"
+#include "lodlab/scenes/scene.hpp"
 
 namespace measure {
 namespace {

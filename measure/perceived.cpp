@@ -1,10 +1,10 @@
-#include "measure/perceived.hpp"
+#include "lodlab/measure/perceived.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "measure/first_impact.hpp"
+#include "lodlab/measure/first_impact.hpp"
 
 namespace measure {
 namespace {

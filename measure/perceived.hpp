@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/collisions.hpp"
+#include "lodlab/measure/collisions.hpp"
 
 namespace measure {
 

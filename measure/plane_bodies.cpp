@@ -1,8 +1,8 @@
-#include "measure/plane_bodies.hpp"
+#include "lodlab/measure/plane_bodies.hpp"
 
 #include <algorithm>
 
-#include "lod2d/overlap.hpp"
+#include "lodlab/lod2d/overlap.hpp"
 
 namespace measure {
 namespace {

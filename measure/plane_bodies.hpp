@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "lod2d/distance.hpp"
-#include "measure/collisions.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/measure/collisions.hpp"
 
 namespace measure {
 

@@ -1,11 +1,11 @@
-#include "scenes/keys.hpp"
+#include "lodlab/scenes/keys.hpp"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "scenes/spelling.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/scenes/spelling.hpp"
 
 namespace scenes {
 namespace {

@@ -3,8 +3,8 @@
 #include <span>
 #include <string_view>
 
-#include "scenes/scene.hpp"
-#include "scenes/toml_document.hpp"
+#include "lodlab/scenes/scene.hpp"
+#include "lodlab/scenes/toml_document.hpp"
 
 namespace scenes {
 

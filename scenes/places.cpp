@@ -1,11 +1,11 @@
-#include "scenes/places.hpp"
+#include "lodlab/scenes/places.hpp"
 
 #include <algorithm>
 #include <system_error>
 
-#include "core/error.hpp"
-#include "lod3d/import_limits.hpp"
-#include "scenes/spelling.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/import_limits.hpp"
+#include "lodlab/scenes/spelling.hpp"
 
 namespace scenes {
 

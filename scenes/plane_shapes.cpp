@@ -1,13 +1,13 @@
-#include "core/error.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/load.hpp"
-#include "lod2d/outline.hpp"
-#include "lod2d/overlap.hpp"
-#include "lod2d/tree_report.hpp"
-#include "lod3d/import_limits.hpp"
-#include "scenes/places.hpp"
-#include "scenes/raise.hpp"
-#include "scenes/shapes.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/load.hpp"
+#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/lod3d/import_limits.hpp"
+#include "lodlab/scenes/places.hpp"
+#include "lodlab/scenes/raise.hpp"
+#include "lodlab/scenes/shapes.hpp"
 
 namespace scenes {
 namespace {

@@ -8,7 +8,7 @@ namespace scenes {
 template <class Limit>
 void raise(Limit& limit, double factor) {
     constexpr double most = 9e18;
-    limit = static_cast<Limit>(std::min(static_cast<double>(limit) * factor, most));
+    limit = static_cast<Limit>((std::min)(static_cast<double>(limit) * factor, most));
 }
 
 }  // namespace scenes

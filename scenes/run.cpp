@@ -1,10 +1,10 @@
-#include "scenes/run.hpp"
+#include "lodlab/scenes/run.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/state_hash.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/state_hash.hpp"
 
 namespace scenes {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "scenes/scene.hpp"
+#include "lodlab/scenes/scene.hpp"
 
 namespace scenes {
 

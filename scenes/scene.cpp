@@ -1,14 +1,14 @@
-#include "scenes/scene.hpp"
+#include "lodlab/scenes/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "scenes/keys.hpp"
-#include "scenes/places.hpp"
-#include "scenes/spelling.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/scenes/keys.hpp"
+#include "lodlab/scenes/places.hpp"
+#include "lodlab/scenes/spelling.hpp"
 
 namespace scenes {
 namespace {

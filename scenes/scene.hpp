@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/frame.hpp"
+#include "lodlab/core/frame.hpp"
 
 namespace scenes {
 

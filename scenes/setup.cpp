@@ -1,10 +1,10 @@
-#include "scenes/setup.hpp"
+#include "lodlab/scenes/setup.hpp"
 
 #include <algorithm>
 #include <map>
 #include <tuple>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace scenes {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "scenes/scene.hpp"
-#include "scenes/shapes.hpp"
+#include "lodlab/scenes/scene.hpp"
+#include "lodlab/scenes/shapes.hpp"
 
 namespace scenes {
 

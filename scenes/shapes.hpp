@@ -6,14 +6,14 @@
 #include <tuple>
 #include <vector>
 
-#include "core/body.hpp"
-#include "core/builder/tree_report.hpp"
-#include "io/sha256.hpp"
-#include "io/tree_cache.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/distance.hpp"
-#include "lod3d/distance.hpp"
-#include "lod3d/sphere_tree.hpp"
+#include "lodlab/core/body.hpp"
+#include "lodlab/core/builder/tree_report.hpp"
+#include "lodlab/io/sha256.hpp"
+#include "lodlab/io/tree_cache.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod3d/distance.hpp"
+#include "lodlab/lod3d/sphere_tree.hpp"
 
 namespace scenes {
 

@@ -1,14 +1,14 @@
 #include <algorithm>
 
-#include "core/error.hpp"
-#include "lod2d/load.hpp"
-#include "lod3d/generators.hpp"
-#include "lod3d/intersect.hpp"
-#include "lod3d/load_mesh.hpp"
-#include "lod3d/surface.hpp"
-#include "scenes/places.hpp"
-#include "scenes/raise.hpp"
-#include "scenes/shapes.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/load.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/intersect.hpp"
+#include "lodlab/lod3d/load_mesh.hpp"
+#include "lodlab/lod3d/surface.hpp"
+#include "lodlab/scenes/places.hpp"
+#include "lodlab/scenes/raise.hpp"
+#include "lodlab/scenes/shapes.hpp"
 
 namespace scenes {
 namespace {

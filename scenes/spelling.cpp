@@ -1,4 +1,4 @@
-#include "scenes/spelling.hpp"
+#include "lodlab/scenes/spelling.hpp"
 
 #include <algorithm>
 #include <vector>

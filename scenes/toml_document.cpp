@@ -1,10 +1,10 @@
-#include "scenes/toml_document.hpp"
+#include "lodlab/scenes/toml_document.hpp"
 
 #include <toml++/toml.h>
 
 #include <algorithm>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace scenes {
 namespace {

@@ -1,11 +1,11 @@
-#include "scenes/trace.hpp"
+#include "lodlab/scenes/trace.hpp"
 
 #include <bit>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
 
 namespace scenes {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scenes/run.hpp"
+#include "lodlab/scenes/run.hpp"
 
 namespace scenes {
 

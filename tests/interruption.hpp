@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "core/frame.hpp"
-#include "core/state_hash.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/core/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

@@ -11,9 +11,9 @@
 #include <new>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "viz/canvas.hpp"
-#include "viz/document.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/canvas.hpp"
+#include "lodlab/viz/document.hpp"
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "viz/palette.hpp"
+#include "lodlab/viz/palette.hpp"
 
 namespace viz {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "viz/write.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/clip.hpp"
+#include "lodlab/viz/clip.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "viz/document.hpp"
+#include "lodlab/viz/document.hpp"
 
 #include <cctype>
 #include <map>

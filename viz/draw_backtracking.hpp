@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/level_impact.hpp"
-#include "viz/draw_scene.hpp"
+#include "lodlab/core/level_impact.hpp"
+#include "lodlab/viz/draw_scene.hpp"
 
 namespace viz {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/draw_motion.hpp"
+#include "lodlab/viz/draw_motion.hpp"
 
 namespace viz {
 

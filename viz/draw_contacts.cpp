@@ -1,11 +1,11 @@
-#include "viz/draw_contacts.hpp"
+#include "lodlab/viz/draw_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "viz/draw_tree.hpp"
-#include "viz/number_text.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/contact.hpp"
-#include "viz/draw_scene.hpp"
+#include "lodlab/core/contact.hpp"
+#include "lodlab/viz/draw_scene.hpp"
 
 namespace viz {
 

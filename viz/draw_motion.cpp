@@ -1,4 +1,4 @@
-#include "viz/draw_motion.hpp"
+#include "lodlab/viz/draw_motion.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <memory>
 #include <set>
 
-#include "core/error.hpp"
-#include "core/trigonometry.hpp"
-#include "viz/number_text.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

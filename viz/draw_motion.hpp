@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/draw_strip.hpp"
+#include "lodlab/viz/draw_strip.hpp"
 
 namespace viz {
 

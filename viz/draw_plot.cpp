@@ -1,11 +1,11 @@
-#include "viz/draw_plot.hpp"
+#include "lodlab/viz/draw_plot.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
-#include "viz/number_text.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

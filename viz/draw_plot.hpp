@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/figure.hpp"
+#include "lodlab/viz/figure.hpp"
 
 namespace viz {
 

@@ -1,11 +1,11 @@
-#include "viz/draw_projection.hpp"
+#include "lodlab/viz/draw_projection.hpp"
 
 #include <map>
 
-#include "core/error.hpp"
-#include "lod2d/clean.hpp"
-#include "viz/draw_contacts.hpp"
-#include "viz/number_text.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/clean.hpp"
+#include "lodlab/viz/draw_contacts.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

@@ -1,10 +1,10 @@
-#include "viz/draw_scene.hpp"
+#include "lodlab/viz/draw_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "viz/number_text.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "viz/scene_view.hpp"
+#include "lodlab/viz/scene_view.hpp"
 
 // What every drawing of bodies is made of, in the plane and in space. World frame, metres. In the
 // plane all goes into the panel's marks; in space bodies and nodes go into its scene, and what

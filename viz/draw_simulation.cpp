@@ -3,10 +3,10 @@
 #include <cmath>
 #include <memory>
 
-#include "core/error.hpp"
-#include "viz/draw_motion.hpp"
-#include "viz/draw_plot.hpp"
-#include "viz/number_text.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/draw_motion.hpp"
+#include "lodlab/viz/draw_plot.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

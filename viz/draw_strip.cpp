@@ -1,10 +1,10 @@
-#include "viz/draw_strip.hpp"
+#include "lodlab/viz/draw_strip.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/error.hpp"
-#include "viz/number_text.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

@@ -1,10 +1,10 @@
-#include "viz/draw_traversal.hpp"
+#include "lodlab/viz/draw_traversal.hpp"
 
 #include <algorithm>
 #include <set>
 
-#include "viz/draw_tree.hpp"
-#include "viz/number_text.hpp"
+#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

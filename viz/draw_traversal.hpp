@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/draw_scene.hpp"
+#include "lodlab/viz/draw_scene.hpp"
 
 namespace viz {
 

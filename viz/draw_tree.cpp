@@ -1,8 +1,8 @@
-#include "viz/draw_tree.hpp"
+#include "lodlab/viz/draw_tree.hpp"
 
 #include <algorithm>
 
-#include "viz/number_text.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

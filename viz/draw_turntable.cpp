@@ -1,13 +1,13 @@
-#include "viz/draw_turntable.hpp"
+#include "lodlab/viz/draw_turntable.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "viz/draw_tree.hpp"
-#include "viz/number_text.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

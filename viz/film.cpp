@@ -1,9 +1,9 @@
-#include "viz/film.hpp"
+#include "lodlab/viz/film.hpp"
 
 #include <algorithm>
 #include <string>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace viz {
 namespace {

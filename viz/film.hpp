@@ -3,7 +3,7 @@
 #include <chrono>
 #include <functional>
 
-#include "viz/paint.hpp"
+#include "lodlab/viz/paint.hpp"
 
 namespace viz {
 

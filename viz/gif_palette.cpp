@@ -1,4 +1,4 @@
-#include "viz/gif_palette.hpp"
+#include "lodlab/viz/gif_palette.hpp"
 
 #include <algorithm>
 #include <cmath>

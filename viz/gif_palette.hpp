@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "viz/canvas.hpp"
+#include "lodlab/viz/canvas.hpp"
 
 namespace viz {
 

@@ -18,8 +18,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/output_file.hpp"
-#include "viz/write.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace viz {
 namespace {

@@ -1,4 +1,4 @@
-#include "viz/labels.hpp"
+#include "lodlab/viz/labels.hpp"
 
 #include <algorithm>
 #include <array>

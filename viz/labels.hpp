@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "viz/clip.hpp"
+#include "lodlab/viz/clip.hpp"
 
 namespace viz {
 

@@ -1,11 +1,11 @@
-#include "viz/marks.hpp"
+#include "lodlab/viz/marks.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "viz/clip.hpp"
-#include "viz/labels.hpp"
-#include "viz/space.hpp"
+#include "lodlab/viz/clip.hpp"
+#include "lodlab/viz/labels.hpp"
+#include "lodlab/viz/space.hpp"
 
 namespace viz {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "viz/page.hpp"
+#include "lodlab/viz/page.hpp"
 
 namespace viz {
 

@@ -1,4 +1,4 @@
-#include "viz/number_text.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 #include <array>
 #include <charconv>

@@ -1,11 +1,11 @@
-#include "viz/page.hpp"
+#include "lodlab/viz/page.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "viz/number_text.hpp"
-#include "viz/plot.hpp"
+#include "lodlab/viz/number_text.hpp"
+#include "lodlab/viz/plot.hpp"
 
 namespace viz {
 namespace {

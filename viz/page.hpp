@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "viz/canvas.hpp"
+#include "lodlab/viz/canvas.hpp"
 
 namespace viz {
 

@@ -1,13 +1,13 @@
-#include "viz/paint.hpp"
+#include "lodlab/viz/paint.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/output_file.hpp"
-#include "viz/marks.hpp"
-#include "viz/page.hpp"
-#include "viz/plot.hpp"
-#include "viz/space_render.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/viz/marks.hpp"
+#include "lodlab/viz/page.hpp"
+#include "lodlab/viz/plot.hpp"
+#include "lodlab/viz/space_render.hpp"
 
 namespace viz {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viz/canvas.hpp"
+#include "lodlab/viz/canvas.hpp"
 
 namespace viz {
 

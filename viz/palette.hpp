@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "viz/figure.hpp"
-#include "viz/write.hpp"
+#include "lodlab/viz/figure.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace viz {
 

@@ -1,9 +1,9 @@
-#include "viz/plot.hpp"
+#include "lodlab/viz/plot.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "viz/number_text.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 namespace viz {
 namespace {

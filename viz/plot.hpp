@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "viz/page.hpp"
+#include "lodlab/viz/page.hpp"
 
 namespace viz {
 

@@ -1,9 +1,9 @@
-#include "viz/scene_view.hpp"
+#include "lodlab/viz/scene_view.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "viz/space.hpp"
+#include "lodlab/viz/space.hpp"
 
 namespace viz {
 

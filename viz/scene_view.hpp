@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "core/frame.hpp"
-#include "lod2d/shape.hpp"
-#include "lod3d/solid.hpp"
-#include "viz/sight.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/lod2d/shape.hpp"
+#include "lodlab/lod3d/solid.hpp"
+#include "lodlab/viz/sight.hpp"
 
 namespace viz {
 

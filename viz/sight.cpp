@@ -1,14 +1,14 @@
-#include "viz/sight.hpp"
+#include "lodlab/viz/sight.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "core/exact_shape.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/overlap.hpp"
-#include "viz/space.hpp"
+#include "lodlab/core/exact_shape.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/viz/space.hpp"
 
 namespace viz {
 namespace {

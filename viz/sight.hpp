@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "core/body.hpp"
-#include "viz/space.hpp"
+#include "lodlab/core/body.hpp"
+#include "lodlab/viz/space.hpp"
 
 namespace viz {
 

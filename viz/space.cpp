@@ -1,10 +1,10 @@
-#include "viz/space.hpp"
+#include "lodlab/viz/space.hpp"
 
 #include <algorithm>
 #include <numbers>
 #include <set>
 
-#include "core/trigonometry.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 namespace viz {
 namespace {

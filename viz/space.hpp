@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/dimension.hpp"
-#include "lod3d/mesh.hpp"
-#include "viz/figure.hpp"
+#include "lodlab/core/dimension.hpp"
+#include "lodlab/lod3d/mesh.hpp"
+#include "lodlab/viz/figure.hpp"
 
 // The geometry of pictures of space: cameras, and meshes made ready to be drawn. World frame,
 // metres, y up.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "viz/space.hpp"
+#include "lodlab/viz/space.hpp"
 
 namespace viz {
 
@@ -34,7 +34,7 @@ struct Eye {
     }
     /// Metres of the panel for a metre at a depth.
     [[nodiscard]] double magnification(double z) const {
-        return perspective ? distance / std::max(z, 1e-3 * distance) : 1;
+        return perspective ? distance / (std::max)(z, 1e-3 * distance) : 1;
     }
     /// From the eye's frame to pixels, y down.
     [[nodiscard]] Point pixel(const lod::Vector<3>& p) const {

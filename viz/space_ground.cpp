@@ -1,4 +1,4 @@
-#include "viz/space_ground.hpp"
+#include "lodlab/viz/space_ground.hpp"
 
 #include <cmath>
 

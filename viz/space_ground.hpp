@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "viz/palette.hpp"
-#include "viz/space_eye.hpp"
+#include "lodlab/viz/palette.hpp"
+#include "lodlab/viz/space_eye.hpp"
 
 namespace viz {
 

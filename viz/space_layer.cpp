@@ -1,4 +1,4 @@
-#include "viz/space_layer.hpp"
+#include "lodlab/viz/space_layer.hpp"
 
 #include <cmath>
 #include <limits>

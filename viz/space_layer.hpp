@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "viz/space_eye.hpp"
+#include "lodlab/viz/space_eye.hpp"
 
 namespace viz {
 

@@ -1,12 +1,12 @@
-#include "viz/space_render.hpp"
+#include "lodlab/viz/space_render.hpp"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "core/error.hpp"
-#include "viz/space_ground.hpp"
-#include "viz/space_layer.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/space_ground.hpp"
+#include "lodlab/viz/space_layer.hpp"
 
 namespace viz {
 namespace {

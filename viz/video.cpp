@@ -15,12 +15,12 @@ extern "C" {
 #include <exception>
 #include <memory>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "viz/ending.hpp"
-#include "viz/film.hpp"
-#include "viz/gif_palette.hpp"
-#include "viz/write.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/viz/ending.hpp"
+#include "lodlab/viz/film.hpp"
+#include "lodlab/viz/gif_palette.hpp"
+#include "lodlab/viz/write.hpp"
 
 namespace viz {
 namespace {

@@ -1,7 +1,7 @@
-#include "viz/write.hpp"
+#include "lodlab/viz/write.hpp"
 
-#include "core/error.hpp"
-#include "viz/ending.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/ending.hpp"
 
 namespace viz {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "viz/figure.hpp"
+#include "lodlab/viz/figure.hpp"
 
 namespace viz {
 

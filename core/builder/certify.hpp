@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/builder/enclosing_ball.hpp"
-#include "core/builder/piece.hpp"
-#include "core/error.hpp"
-#include "core/tree.hpp"
+#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/builder/piece.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/tree.hpp"
 
 namespace lod {
 
@@ -75,7 +75,7 @@ template <int Dim, PieceOf<Dim> Piece>
     for (std::size_t level = 0; level < levels; ++level) {
         complete = complete && certifier.complete[level];
         lost += certifier.lost[level];
-        const double share = std::min(1.0, lost / whole.measure());
+        const double share = (std::min)(1.0, lost / whole.measure());
         result[level] = {complete, complete ? 0.0 : share};
     }
     return result;

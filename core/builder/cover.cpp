@@ -1,4 +1,4 @@
-#include "core/builder/cover.hpp"
+#include "lodlab/core/builder/cover.hpp"
 
 namespace lod {
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "core/builder/cover_search.hpp"
-#include "core/builder/enclosing_ball.hpp"
-#include "core/error.hpp"
+#include "lodlab/core/builder/cover_search.hpp"
+#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/error.hpp"
 
 namespace lod {
 
@@ -56,7 +56,7 @@ template <int Dim, DistanceFieldOf<Dim> Field>
         candidates.push_back(std::move(candidate));
     }
     std::stable_sort(candidates.begin(), candidates.end(), better);
-    candidates.resize(std::min(candidates.size(), static_cast<std::size_t>(settings.finalists)));
+    candidates.resize((std::min)(candidates.size(), static_cast<std::size_t>(settings.finalists)));
     for (Candidate& candidate : candidates)
         candidate.protrusion = search.descend(candidate.centres, settings.rounds);
     std::stable_sort(candidates.begin(), candidates.end(), better);
@@ -141,7 +141,7 @@ template <int Dim, DistanceFieldOf<Dim> Field>
                 best = cover;
             }
             for (std::size_t p = 0; p < points.size(); ++p) {
-                const double share = std::max(next[owners[p]] / worst, 0.25);
+                const double share = (std::max)(next[owners[p]] / worst, 0.25);
                 const double weight = 1.2 * std::sqrt(share) * search.weight(p);
                 search.set_weight(p, static_cast<float>(std::clamp(weight, 0.25, 4.0)));
             }

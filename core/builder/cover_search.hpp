@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "core/lanes.hpp"
-#include "core/random.hpp"
-#include "core/sphere.hpp"
+#include "lodlab/core/lanes.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/core/sphere.hpp"
 
 namespace lod {
 
@@ -73,11 +73,11 @@ class CoverSearch {
         std::vector<double> sum(points_.size());
         while (static_cast<int>(centres.size()) < count) {
             double total = 0;
-            const double depth = std::min(0.0, field_.at(centres.back()).value);
+            const double depth = (std::min)(0.0, field_.at(centres.back()).value);
             for (std::size_t p = 0; p < points_.size(); ++p) {
                 const double needs = (points_[p] - centres.back()).norm() + depth;
-                least[p] = std::min(least[p], needs);
-                double weight = std::max(least[p], 0.0) / size_;
+                least[p] = (std::min)(least[p], needs);
+                double weight = (std::max)(least[p], 0.0) / size_;
                 for (int squaring = 0; squaring < 4; ++squaring) weight *= weight;
                 sum[p] = total += weight;
             }
@@ -103,7 +103,7 @@ class CoverSearch {
             }
             const Centres& slope = slopes(centres, worst, 0.06 * size_ * sharpness);
             double steepest = 0;
-            for (const Vector<Dim>& s : slope) steepest = std::max(steepest, s.norm());
+            for (const Vector<Dim>& s : slope) steepest = (std::max)(steepest, s.norm());
             if (steepest == 0) break;
             for (std::size_t i = 0; i < count; ++i) {
                 // Between one step length for all and steps in proportion to the slopes.
@@ -119,7 +119,7 @@ class CoverSearch {
     /// The least balls about the centres that hold the points which they hold most cheaply.
     PointCover<Dim> cover(const Centres& centres) {
         PointCover<Dim> result;
-        result.protrusion = std::max(0.0, measure(centres));
+        result.protrusion = (std::max)(0.0, measure(centres));
         for (const Vector<Dim>& c : centres) result.balls.push_back({c, 0});
         for (std::size_t p = 0; p < points_.size(); ++p) {
             const std::size_t lane = p % 8;
@@ -127,7 +127,7 @@ class CoverSearch {
             std::size_t own = 0;
             while (needs[own][lane] > least_[p / 8][lane]) ++own;
             Sphere<Dim>& ball = result.balls[own];
-            ball.radius = std::max(ball.radius, (points_[p] - ball.centre).norm());
+            ball.radius = (std::max)(ball.radius, (points_[p] - ball.centre).norm());
         }
         return result;
     }
@@ -140,7 +140,7 @@ class CoverSearch {
     }
 
     Vector<Dim> pick(double number) const {
-        return points_[std::min(static_cast<std::size_t>(number), points_.size() - 1)];
+        return points_[(std::min)(static_cast<std::size_t>(number), points_.size() - 1)];
     }
 
     /// From 1 to 1/64 over shares 0 to 1; rational, for the same bits from every library.
@@ -199,8 +199,8 @@ class CoverSearch {
             const Eight least = least_[b];
             Eight total = Eight::all(0);
             for (std::size_t i = 0; i < count; ++i) {
-                const Eight near = falling_off((needs_[b * count + i] - least) * sharp);
-                share_[i] = near * near;
+                const Eight share = falling_off((needs_[b * count + i] - least) * sharp);
+                share_[i] = share * share;
                 total += share_[i];
             }
             const Eight behind =

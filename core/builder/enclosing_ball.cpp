@@ -1,11 +1,11 @@
-#include "core/builder/enclosing_ball.hpp"
+#include "lodlab/core/builder/enclosing_ball.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
-#include "core/solvers.hpp"
+#include "lodlab/core/solvers.hpp"
 
 namespace lod {
 namespace {

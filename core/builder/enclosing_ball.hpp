@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/sphere.hpp"
+#include "lodlab/core/sphere.hpp"
 
 namespace lod {
 

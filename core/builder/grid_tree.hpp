@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/builder/grow.hpp"
+#include "lodlab/core/builder/grow.hpp"
 
 namespace lod {
 
@@ -53,7 +53,7 @@ class GridGrower {
 
     void report(double share) {
         done_ += share;
-        if (progress_) progress_(std::min(1.0, done_));
+        if (progress_) progress_((std::min)(1.0, done_));
     }
 
     int depth_;

@@ -1,4 +1,4 @@
-#include "core/builder/grow.hpp"
+#include "lodlab/core/builder/grow.hpp"
 
 #include <cmath>
 

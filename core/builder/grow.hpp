@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "core/builder/enclosing_ball.hpp"
-#include "core/builder/piece.hpp"
-#include "core/error.hpp"
-#include "core/tree.hpp"
+#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/builder/piece.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/tree.hpp"
 
 namespace lod {
 
@@ -67,7 +67,7 @@ concept GrowStrategy = requires(const Strategy strategy, const Piece piece,
 namespace detail {
 
 /// What a ball is fitted for: a small radius, or standing out of the shape little.
-enum class Aim { small, close };
+enum class Aim { compact, close };
 
 /// Balls that together hold a piece.
 template <int Dim>
@@ -180,10 +180,10 @@ class Grower {
                 candidates.push_back(improved(owned, start, Aim::close));
                 continue;
             }
-            Cover<Dim> small = improved(owned, start, Aim::small);
+            Cover<Dim> compact = improved(owned, start, Aim::compact);
             candidates.push_back(improved(owned, start, Aim::close));
-            candidates.push_back(improved(owned, small.balls, Aim::close));
-            candidates.push_back(std::move(small));
+            candidates.push_back(improved(owned, compact.balls, Aim::close));
+            candidates.push_back(std::move(compact));
         }
         const bool look_ahead = levels_left > 1 && strategy_.protrusion(ball) > look_ahead_above_;
         const Cover<Dim>* best = nullptr;
@@ -226,12 +226,12 @@ class Grower {
                 owned.within(power_cell<Dim>(std::span<const Sphere<Dim>>(cover.balls), i));
             if (part.vertices().empty()) continue;
             const double now = cost(part, ball);
-            worst = std::max(worst, now);
+            worst = (std::max)(worst, now);
             if (!look_ahead || now <= next) continue;
             double then = now;
             for (const auto& start : strategy_.starts(part, ball, settings_.branching))
-                then = std::min(then, fitted(part, start, Aim::close).worst);
-            next = std::max(next, then);
+                then = (std::min)(then, fitted(part, start, Aim::close).worst);
+            next = (std::max)(next, then);
         }
         return worst + 2 * next;
     }
@@ -256,14 +256,15 @@ class Grower {
             const Piece part = owned.within(power_cell<Dim>(start, i));
             if (part.vertices().empty()) continue;
             Sphere<Dim> ball;
-            if (aim == Aim::small) {
+            if (aim == Aim::compact) {
                 ball = enclosing_ball<Dim>(part.vertices());
                 ball.radius += 2 * margin_;
             } else {
                 ball = strategy_.fit(part, start[i]);
             }
             cover.balls.push_back(ball);
-            cover.worst = std::max(cover.worst, aim == Aim::small ? ball.radius : cost(part, ball));
+            cover.worst =
+                (std::max)(cover.worst, aim == Aim::compact ? ball.radius : cost(part, ball));
         }
         return cover;
     }
@@ -289,7 +290,7 @@ class Grower {
                 const double reach = farthest_distance<Dim>(ball.centre, pieces[i].vertices());
                 if (reach <= ball.radius - margin_) continue;
                 held = false;
-                ball.radius = std::max(ball.radius, reach + margin_) + hair;
+                ball.radius = (std::max)(ball.radius, reach + margin_) + hair;
             }
             if (held) return pieces;
         }
@@ -301,7 +302,7 @@ class Grower {
 
     void report(double work) {
         done_ += work;
-        if (settings_.progress) settings_.progress(std::min(1.0, done_ / work_below_.back()));
+        if (settings_.progress) settings_.progress((std::min)(1.0, done_ / work_below_.back()));
     }
 
     static std::size_t as_index(int i) { return static_cast<std::size_t>(i); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/dimension.hpp"
+#include "lodlab/core/dimension.hpp"
 
 namespace lod {
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <span>
 
-#include "core/builder/enclosing_ball.hpp"
-#include "core/builder/protrusion.hpp"
+#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/builder/protrusion.hpp"
 
 namespace lod {
 
@@ -72,7 +72,7 @@ template <int Dim, DistanceFrom<Dim> Distance>
     double least = excess<Dim>(shape, points, best);
     double depth = radius_at(best) - least;
     // A step changes the excess by at most twice its length.
-    while (walk.step > std::max(walk.least_step, 0.005 * least) && least > walk.enough) {
+    while (walk.step > (std::max)(walk.least_step, 0.005 * least) && least > walk.enough) {
         Vector<Dim> next = best;
         for (const Vector<Dim>& way : ways) {
             const Vector<Dim> x = best + walk.step * way;

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/builder/half_space.hpp"
-#include "core/sphere.hpp"
+#include "lodlab/core/builder/half_space.hpp"
+#include "lodlab/core/sphere.hpp"
 
 namespace lod {
 
@@ -44,7 +44,7 @@ template <int Dim, PieceOf<Dim> Piece>
 
 }  // namespace lod
 
-#include "core/builder/power_diagram.hpp"
+#include "lodlab/core/builder/power_diagram.hpp"
 
 namespace lod {
 

@@ -1,4 +1,4 @@
-#include "core/builder/power_diagram.hpp"
+#include "lodlab/core/builder/power_diagram.hpp"
 
 namespace lod {
 namespace {

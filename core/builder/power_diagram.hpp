@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/builder/half_space.hpp"
-#include "core/sphere.hpp"
+#include "lodlab/core/builder/half_space.hpp"
+#include "lodlab/core/sphere.hpp"
 
 namespace lod {
 

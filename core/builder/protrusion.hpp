@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/sphere.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/sphere.hpp"
 
 namespace lod {
 
@@ -33,7 +33,7 @@ struct Protrusion {
 /// unless the ball reaches over a pocket or a hole of the shape.
 template <int Dim, DistanceFrom<Dim> Distance>
 [[nodiscard]] double protrusion_bound(const Distance& shape, const Sphere<Dim>& ball) {
-    return std::max(0.0, ball.radius + shape.signed_distance(ball.centre));
+    return (std::max)(0.0, ball.radius + shape.signed_distance(ball.centre));
 }
 
 namespace detail {
@@ -47,7 +47,7 @@ class ProtrusionSearch {
     Protrusion<Dim> run(double tolerance, int most_queries) {
         for (std::size_t i = 0; i < balls_.size(); ++i) {
             depth_[i] = -shape_.signed_distance(balls_[i].centre);
-            cells_.push({std::max(0.0, balls_[i].radius - depth_[i]), balls_[i].centre, 0, i});
+            cells_.push({(std::max)(0.0, balls_[i].radius - depth_[i]), balls_[i].centre, 0, i});
         }
         while (!cells_.empty() && cells_.top().most > found_.least + tolerance &&
                queries_ < most_queries) {
@@ -60,7 +60,7 @@ class ProtrusionSearch {
             if (queries_ % 1024 == 0) check_interrupted();
         }
         found_.most = found_.least;
-        if (!cells_.empty()) found_.most = std::max(found_.least, cells_.top().most);
+        if (!cells_.empty()) found_.most = (std::max)(found_.least, cells_.top().most);
         return found_;
     }
 
@@ -98,12 +98,12 @@ class ProtrusionSearch {
         const Vector<Dim> arm = centre - b.centre;
         const double off = arm.norm();
         if (off - corner > b.radius) return;
-        most = std::min(most, off + corner - depth_[ball]);
+        most = (std::min)(most, off + corner - depth_[ball]);
         if (most <= found_.least) return;
         // Projecting on the ball moves no point of the ball away from the cell's centre.
         const Vector<Dim> probe =
             off <= b.radius ? centre : Vector<Dim>(b.centre + (b.radius / off) * arm);
-        most = std::min(most, distance_at(probe, found_.least - corner) + corner);
+        most = (std::min)(most, distance_at(probe, found_.least - corner) + corner);
         if (most > found_.least) cells_.push({most, centre, half, ball});
     }
 

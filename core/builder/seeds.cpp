@@ -1,8 +1,8 @@
-#include "core/builder/seeds.hpp"
+#include "lodlab/core/builder/seeds.hpp"
 
 #include <algorithm>
 
-#include "core/solvers.hpp"
+#include "lodlab/core/solvers.hpp"
 
 namespace lod {
 namespace {

@@ -3,8 +3,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/builder/certify.hpp"
-#include "core/builder/protrusion.hpp"
+#include "lodlab/core/builder/certify.hpp"
+#include "lodlab/core/builder/protrusion.hpp"
 
 namespace lod {
 

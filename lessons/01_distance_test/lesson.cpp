@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/sphere.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/overlap.hpp"
+#include "lodlab/core/sphere.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/overlap.hpp"
 
 namespace lessons {
 namespace {

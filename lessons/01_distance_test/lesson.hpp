@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/sphere.hpp"
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
+#include "lodlab/core/sphere.hpp"
 
 namespace lessons::distance {
 

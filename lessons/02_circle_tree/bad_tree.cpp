@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <limits>
 
-#include "core/builder/certify.hpp"
-#include "core/traversal.hpp"
 #include "lessons/02_circle_tree/lesson.hpp"
+#include "lodlab/core/builder/certify.hpp"
+#include "lodlab/core/traversal.hpp"
 
 namespace lessons::tree {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/builder/power_diagram.hpp"
-#include "lod2d/generators.hpp"
-#include "viz/draw_tree.hpp"
+#include "lodlab/core/builder/power_diagram.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/viz/draw_tree.hpp"
 
 namespace lessons {
 namespace tree {

@@ -1,12 +1,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/traversal.hpp"
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/overlap.hpp"
-#include "viz/draw_traversal.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/viz/draw_traversal.hpp"
 
 namespace lessons {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "core/frame.hpp"
-#include "core/traversal.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/overlap.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/overlap.hpp"
 
 namespace lessons {
 namespace {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/frame.hpp"
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
+#include "lodlab/core/frame.hpp"
 
 namespace lessons::impact {
 

@@ -2,10 +2,10 @@
 #include <array>
 #include <cmath>
 
-#include "core/response.hpp"
-#include "core/traversal.hpp"
 #include "lessons/04_contact_and_impulse/lesson.hpp"
-#include "lod2d/generators.hpp"
+#include "lodlab/core/response.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/lod2d/generators.hpp"
 
 namespace lessons::impact {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/traversal.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/overlap.hpp"
-#include "viz/draw_motion.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/viz/draw_motion.hpp"
 
 namespace lessons::impact {
 

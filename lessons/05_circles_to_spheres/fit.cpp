@@ -1,12 +1,12 @@
 #include <algorithm>
 
 #include "lessons/05_circles_to_spheres/lesson.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/tree_report.hpp"
-#include "lod3d/generators.hpp"
-#include "lod3d/sphere_tree.hpp"
-#include "viz/draw_plot.hpp"
-#include "viz/draw_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/viz/draw_plot.hpp"
+#include "lodlab/viz/draw_tree.hpp"
 
 namespace lessons::spheres {
 namespace {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/random.hpp"
-#include "core/traversal.hpp"
-#include "lod2d/generators.hpp"
-#include "viz/draw_traversal.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/viz/draw_traversal.hpp"
 
 namespace lessons {
 namespace spheres {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "core/builder/tree_report.hpp"
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
+#include "lodlab/core/builder/tree_report.hpp"
 
 namespace lessons::spheres {
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "core/traversal.hpp"
 #include "lessons/05_circles_to_spheres/lesson.hpp"
-#include "lod3d/intersect.hpp"
-#include "viz/draw_traversal.hpp"
+#include "lodlab/core/traversal.hpp"
+#include "lodlab/lod3d/intersect.hpp"
+#include "lodlab/viz/draw_traversal.hpp"
 
 namespace lessons::spheres {
 namespace {

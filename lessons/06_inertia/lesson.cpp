@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/impact.hpp"
-#include "lod3d/generators.hpp"
-#include "lod3d/sphere_tree.hpp"
+#include "lodlab/core/impact.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/sphere_tree.hpp"
 
 namespace lessons {
 namespace inertia {

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/integrate.hpp"
 #include "lessons/06_inertia/lesson.hpp"
-#include "viz/draw_plot.hpp"
+#include "lodlab/core/integrate.hpp"
+#include "lodlab/viz/draw_plot.hpp"
 
 namespace lessons::inertia {
 namespace {

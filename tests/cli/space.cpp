@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "core/output_file.hpp"
+#include "lodlab/core/output_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/program.hpp"
 

@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/frame.hpp"
-#include "lod2d/build_tree.hpp"
-#include "scenes/setup.hpp"
-#include "viz/write.hpp"
+#include <lodlab/core/frame.hpp>
+#include <lodlab/lod2d/build_tree.hpp>
+#include <lodlab/scenes/setup.hpp>
+#include <lodlab/viz/write.hpp>
 
 lod::Body<2> disc(double mass, double x, double velocity) {
     const lod2d::Shape shape = scenes::Shapes<2>::named("disc", {});

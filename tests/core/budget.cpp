@@ -1,4 +1,4 @@
-#include "core/budget.hpp"
+#include "lodlab/core/budget.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/core/clock.hpp"

@@ -1,9 +1,9 @@
-#include "core/builder/enclosing_ball.hpp"
+#include "lodlab/core/builder/enclosing_ball.hpp"
 
 #include <vector>
 
-#include "core/builder/power_diagram.hpp"
-#include "core/builder/seeds.hpp"
+#include "lodlab/core/builder/power_diagram.hpp"
+#include "lodlab/core/builder/seeds.hpp"
 #include "tests/catch.hpp"
 #include "tests/random.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/budget.hpp"
+#include "lodlab/core/budget.hpp"
 
 namespace lodtest {
 

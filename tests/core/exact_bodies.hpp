@@ -5,12 +5,12 @@
 #include <sstream>
 #include <string>
 
-#include "core/ball_union.hpp"
-#include "core/time_of_impact.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/outline.hpp"
-#include "lod3d/generators.hpp"
-#include "lod3d/surface.hpp"
+#include "lodlab/core/ball_union.hpp"
+#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/surface.hpp"
 #include "tests/core/bodies.hpp"
 
 // Bodies with exact shapes, planar ones for the plane and, 1 m thick, for space.

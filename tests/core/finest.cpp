@@ -1,8 +1,8 @@
-#include "core/finest.hpp"
+#include "lodlab/core/finest.hpp"
 
 #include <cmath>
 
-#include "core/frame.hpp"
+#include "lodlab/core/frame.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/exact_bodies.hpp"
 

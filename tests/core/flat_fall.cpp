@@ -7,13 +7,13 @@
 #include <map>
 #include <string>
 
-#include "core/frame.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/outline.hpp"
-#include "lod3d/generators.hpp"
-#include "lod3d/sphere_tree.hpp"
-#include "lod3d/surface.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/frame.hpp"
-#include "core/random.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod;

@@ -1,13 +1,13 @@
 // Times of impact of any shapes against oracles that share no code with them: in the plane the
 // exact predicates of lod2d/overlap at many times on the way.
 
-#include "core/time_of_impact.hpp"
+#include "lodlab/core/time_of_impact.hpp"
 
 #include <cmath>
 
-#include "core/impact.hpp"
-#include "lod2d/outline.hpp"
-#include "lod2d/overlap.hpp"
+#include "lodlab/core/impact.hpp"
+#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod2d/overlap.hpp"
 #include "tests/core/bodies.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"

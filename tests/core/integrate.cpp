@@ -1,9 +1,9 @@
-#include "core/integrate.hpp"
+#include "lodlab/core/integrate.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "core/eigen.hpp"
+#include "lodlab/core/eigen.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

@@ -1,6 +1,6 @@
-#include "core/posed_tree.hpp"
+#include "lodlab/core/posed_tree.hpp"
 
-#include "core/eigen.hpp"
+#include "lodlab/core/eigen.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/response.hpp"
+#include "lodlab/core/response.hpp"
 
 #include <cmath>
 #include <numeric>

@@ -1,10 +1,10 @@
-#include "core/time_of_impact.hpp"
+#include "lodlab/core/time_of_impact.hpp"
 
 #include <cmath>
 #include <optional>
 
-#include "core/error.hpp"
-#include "core/integrate.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/integrate.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/exact_bodies.hpp"
 #include "tests/property.hpp"

@@ -1,8 +1,8 @@
-#include "core/traversal.hpp"
+#include "lodlab/core/traversal.hpp"
 
 #include <algorithm>
 
-#include "core/schedule.hpp"
+#include "lodlab/core/schedule.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 #include "tests/property.hpp"

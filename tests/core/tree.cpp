@@ -1,6 +1,6 @@
-#include "core/tree.hpp"
+#include "lodlab/core/tree.hpp"
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

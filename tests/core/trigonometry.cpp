@@ -1,4 +1,4 @@
-#include "core/trigonometry.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 #include <cmath>
 #include <limits>

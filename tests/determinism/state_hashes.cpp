@@ -10,13 +10,13 @@
 #include <sstream>
 #include <string>
 
-#include "core/frame.hpp"
-#include "core/state_hash.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "scenes/places.hpp"
-#include "scenes/run.hpp"
-#include "scenes/setup.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/core/state_hash.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/scenes/places.hpp"
+#include "lodlab/scenes/run.hpp"
+#include "lodlab/scenes/setup.hpp"
 
 namespace {
 

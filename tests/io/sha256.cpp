@@ -1,4 +1,4 @@
-#include "io/sha256.hpp"
+#include "lodlab/io/sha256.hpp"
 
 #include "tests/catch.hpp"
 

@@ -1,14 +1,14 @@
-#include "io/tree_cache.hpp"
+#include "lodlab/io/tree_cache.hpp"
 
 #include <cstdlib>
 #include <fstream>
 #include <vector>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
-#include "core/state_hash.hpp"
-#include "io/sha256.hpp"
-#include "io/tree_json.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/state_hash.hpp"
+#include "lodlab/io/sha256.hpp"
+#include "lodlab/io/tree_json.hpp"
 #include "tests/catch.hpp"
 
 namespace {

@@ -1,10 +1,10 @@
-#include "io/tree_json.hpp"
+#include "lodlab/io/tree_json.hpp"
 
 #include <bit>
 #include <cstdlib>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/random.hpp"
 

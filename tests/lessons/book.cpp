@@ -2,9 +2,9 @@
 #include <fstream>
 #include <regex>
 
-#include "core/error.hpp"
 #include "lessons/lessons.hpp"
 #include "lessons/page.hpp"
+#include "lodlab/core/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/lessons/scratch.hpp"
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <regex>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
 #include "lessons/source.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/viz/write.hpp"
 #include "tests/catch.hpp"
-#include "viz/write.hpp"
 
 using namespace lessons;
 

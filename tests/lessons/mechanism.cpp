@@ -1,10 +1,10 @@
-#include "core/error.hpp"
 #include "lessons/embedded.hpp"
 #include "lessons/lessons.hpp"
 #include "lessons/markdown.hpp"
 #include "lessons/plain.hpp"
 #include "lessons/sketch.hpp"
 #include "lessons/source.hpp"
+#include "lodlab/core/error.hpp"
 #include "tests/catch.hpp"
 
 using namespace lessons;

@@ -6,8 +6,8 @@
 #include <regex>
 #include <sstream>
 
-#include "core/error.hpp"
 #include "lessons/lessons.hpp"
+#include "lodlab/core/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/lessons/scratch.hpp"
 

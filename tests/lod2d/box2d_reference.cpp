@@ -1,11 +1,11 @@
-#include "lod2d/box2d_reference.hpp"
+#include "lodlab/lod2d/box2d_reference.hpp"
 
 #include <cmath>
 
-#include "core/error.hpp"
-#include "core/frame.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

@@ -1,7 +1,7 @@
-#include "lod2d/medial_axis.hpp"
+#include "lodlab/lod2d/medial_axis.hpp"
 
-#include "lod2d/distance.hpp"
-#include "lod2d/medial_cover.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/medial_cover.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"

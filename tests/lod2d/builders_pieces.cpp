@@ -1,7 +1,7 @@
-#include "core/builder/piece.hpp"
+#include "lodlab/core/builder/piece.hpp"
 
-#include "lod2d/generators.hpp"
-#include "lod2d/piece.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/piece.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"

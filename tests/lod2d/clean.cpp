@@ -1,12 +1,12 @@
-#include "lod2d/clean.hpp"
+#include "lodlab/lod2d/clean.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/orientation.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/orientation.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"
 

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "core/error.hpp"
-#include "lod2d/clean_work.hpp"
-#include "lod2d/svg.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/clean_work.hpp"
+#include "lodlab/lod2d/svg.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

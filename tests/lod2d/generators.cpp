@@ -1,8 +1,8 @@
-#include "lod2d/generators.hpp"
+#include "lodlab/lod2d/generators.hpp"
 
 #include <cstring>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

@@ -4,9 +4,9 @@
 
 #include <initializer_list>
 
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/overlap.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/overlap.hpp"
 
 using namespace lod;
 

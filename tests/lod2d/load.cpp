@@ -1,12 +1,12 @@
-#include "lod2d/load.hpp"
+#include "lodlab/lod2d/load.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
-#include "core/error.hpp"
-#include "lod2d/distance.hpp"
-#include "lod2d/font.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/font.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

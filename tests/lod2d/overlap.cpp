@@ -1,8 +1,8 @@
-#include "lod2d/overlap.hpp"
+#include "lodlab/lod2d/overlap.hpp"
 
 #include <cmath>
 
-#include "lod2d/orientation.hpp"
+#include "lodlab/lod2d/orientation.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"
 

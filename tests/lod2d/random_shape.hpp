@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "lod2d/distance.hpp"
-#include "lod2d/generators.hpp"
+#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/generators.hpp"
 
 namespace lod2d {
 

@@ -1,11 +1,11 @@
-#include "lod2d/shape.hpp"
+#include "lodlab/lod2d/shape.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "lod2d/generators.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/generators.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

@@ -1,11 +1,11 @@
-#include "lod2d/svg.hpp"
+#include "lodlab/lod2d/svg.hpp"
 
 #include <cstdio>
 #include <fstream>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "lod2d/distance.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/distance.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

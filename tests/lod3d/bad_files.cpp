@@ -4,9 +4,9 @@
 #include <cstring>
 #include <limits>
 
-#include "core/error.hpp"
-#include "lod3d/generators.hpp"
-#include "lod3d/load_mesh.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/load_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

@@ -1,7 +1,7 @@
-#include "lod3d/distance.hpp"
+#include "lodlab/lod3d/distance.hpp"
 
-#include "core/eigen.hpp"
-#include "lod3d/generators.hpp"
+#include "lodlab/core/eigen.hpp"
+#include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

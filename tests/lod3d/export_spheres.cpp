@@ -1,4 +1,4 @@
-#include "lod3d/export_spheres.hpp"
+#include "lodlab/lod3d/export_spheres.hpp"
 
 #include <sstream>
 

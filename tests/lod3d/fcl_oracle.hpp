@@ -8,8 +8,8 @@
 
 #include <memory>
 
-#include "core/eigen.hpp"
-#include "lod3d/mesh.hpp"
+#include "lodlab/core/eigen.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 namespace lodtest {
 

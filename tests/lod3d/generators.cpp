@@ -1,6 +1,6 @@
-#include "lod3d/generators.hpp"
+#include "lodlab/lod3d/generators.hpp"
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod3d;

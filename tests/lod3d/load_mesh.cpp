@@ -1,7 +1,7 @@
-#include "lod3d/load_mesh.hpp"
+#include "lodlab/lod3d/load_mesh.hpp"
 
-#include "core/error.hpp"
-#include "lod3d/generators.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

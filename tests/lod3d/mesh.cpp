@@ -1,9 +1,9 @@
-#include "lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 #include <numbers>
 
-#include "core/error.hpp"
-#include "lod3d/generators.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string>
 
-#include "lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh.hpp"
 
 // Meshes written as files, good or bad, by a few lines a format.
 

@@ -1,8 +1,8 @@
-#include "lod3d/piece.hpp"
+#include "lodlab/lod3d/piece.hpp"
 
-#include "core/builder/enclosing_ball.hpp"
-#include "core/builder/piece.hpp"
-#include "lod3d/generators.hpp"
+#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/builder/piece.hpp"
+#include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/random.hpp"
-#include "lod3d/intersect.hpp"
+#include "lodlab/core/random.hpp"
+#include "lodlab/lod3d/intersect.hpp"
 
 /// A uniform random direction.
 inline lod3d::Point random_direction(lod::Random& random) {

@@ -1,9 +1,9 @@
-#include "lod3d/solid.hpp"
+#include "lodlab/lod3d/solid.hpp"
 
 #include <limits>
 
-#include "core/error.hpp"
-#include "lod3d/generators.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod3d;

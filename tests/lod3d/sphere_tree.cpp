@@ -1,8 +1,8 @@
-#include "lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/sphere_tree.hpp"
 
-#include "core/error.hpp"
-#include "lod3d/generators.hpp"
-#include "lod3d/piece.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/piece.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

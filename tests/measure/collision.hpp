@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "measure/collisions.hpp"
+#include "lodlab/measure/collisions.hpp"
 
 namespace measuretest {
 

@@ -1,12 +1,12 @@
-#include "measure/collisions.hpp"
+#include "lodlab/measure/collisions.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "lod2d/generators.hpp"
-#include "measure/plane_bodies.hpp"
-#include "scenes/setup.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/measure/plane_bodies.hpp"
+#include "lodlab/scenes/setup.hpp"
 #include "tests/catch.hpp"
 #include "tests/measure/collision.hpp"
 #include "tests/random.hpp"

@@ -1,8 +1,8 @@
-#include "measure/comparison.hpp"
+#include "lodlab/measure/comparison.hpp"
 
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/outline.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/outline.hpp"
 #include "tests/catch.hpp"
 
 using namespace measure;

@@ -1,8 +1,8 @@
-#include "measure/degrade.hpp"
+#include "lodlab/measure/degrade.hpp"
 
-#include "core/error.hpp"
-#include "measure/curves.hpp"
-#include "measure/free_flight.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/measure/curves.hpp"
+#include "lodlab/measure/free_flight.hpp"
 #include "tests/catch.hpp"
 
 namespace {

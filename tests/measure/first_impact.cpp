@@ -1,14 +1,14 @@
-#include "measure/first_impact.hpp"
+#include "lodlab/measure/first_impact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "core/trigonometry.hpp"
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "lod2d/outline.hpp"
-#include "measure/plane_bodies.hpp"
+#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/measure/plane_bodies.hpp"
 #include "tests/catch.hpp"
 #include "tests/measure/collision.hpp"
 #include "tests/random.hpp"

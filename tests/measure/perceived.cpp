@@ -1,4 +1,4 @@
-#include "measure/perceived.hpp"
+#include "lodlab/measure/perceived.hpp"
 
 #include <cmath>
 #include <numbers>

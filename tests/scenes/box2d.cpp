@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "core/frame.hpp"
-#include "lod2d/box2d_reference.hpp"
-#include "lod2d/overlap.hpp"
-#include "lod2d/tree_report.hpp"
-#include "scenes/setup.hpp"
+#include "lodlab/core/frame.hpp"
+#include "lodlab/lod2d/box2d_reference.hpp"
+#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/scenes/setup.hpp"
 #include "tests/catch.hpp"
 
 using namespace scenes;

@@ -1,8 +1,8 @@
 // Trees that were built before are found in the cache by the version of the builders.
 
-#include "core/state_hash.hpp"
-#include "scenes/shapes.hpp"
-#include "scenes/trace.hpp"
+#include "lodlab/core/state_hash.hpp"
+#include "lodlab/scenes/shapes.hpp"
+#include "lodlab/scenes/trace.hpp"
 #include "tests/catch.hpp"
 
 namespace {

@@ -3,7 +3,7 @@
 #include <map>
 #include <sstream>
 
-#include "scenes/scene.hpp"
+#include "lodlab/scenes/scene.hpp"
 #include "tests/catch.hpp"
 
 namespace {

@@ -1,8 +1,8 @@
 #include <filesystem>
 #include <numbers>
 
-#include "core/error.hpp"
-#include "scenes/scene.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/scenes/scene.hpp"
 #include "tests/catch.hpp"
 
 namespace {

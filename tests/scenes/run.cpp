@@ -1,7 +1,7 @@
-#include "scenes/run.hpp"
+#include "lodlab/scenes/run.hpp"
 
-#include "core/error.hpp"
-#include "core/state_hash.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/worlds.hpp"
 

@@ -1,6 +1,6 @@
-#include "scenes/setup.hpp"
+#include "lodlab/scenes/setup.hpp"
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
 #include "tests/catch.hpp"
 
 namespace {

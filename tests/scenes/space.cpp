@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "scenes/places.hpp"
-#include "scenes/run.hpp"
-#include "scenes/setup.hpp"
-#include "scenes/trace.hpp"
+#include "lodlab/scenes/places.hpp"
+#include "lodlab/scenes/run.hpp"
+#include "lodlab/scenes/setup.hpp"
+#include "lodlab/scenes/trace.hpp"
 #include "tests/catch.hpp"
 
 using namespace scenes;

@@ -1,11 +1,11 @@
-#include "scenes/trace.hpp"
+#include "lodlab/scenes/trace.hpp"
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/error.hpp"
-#include "core/output_file.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/worlds.hpp"
 

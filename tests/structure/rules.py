@@ -76,11 +76,11 @@ def without_comments(text):
 
 
 def includes_of(text):
-    """(line number, "folder/file.hpp" or <system>) of each include."""
+    """(line number, "folder/file.hpp" or <system>) of each include; <lodlab/...> is ours, too."""
     for number, line in enumerate(text.splitlines(), 1):
         match = INCLUDE.match(line)
         if match:
-            yield number, match.group(1)
+            yield number, re.sub(r"^[<\"]lodlab/(.*)[>\"]$", r'"\1"', match.group(1))
 
 
 class Function:

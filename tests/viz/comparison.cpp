@@ -1,10 +1,10 @@
-#include "viz/draw_comparison.hpp"
+#include "lodlab/viz/draw_comparison.hpp"
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/number_text.hpp"
+#include "lodlab/viz/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/sample_scene.hpp"
-#include "viz/number_text.hpp"
-#include "viz/write.hpp"
 
 using namespace viz;
 

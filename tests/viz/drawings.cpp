@@ -1,15 +1,15 @@
 #include <set>
 
-#include "core/error.hpp"
-#include "lod2d/outline.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/viz/draw_backtracking.hpp"
+#include "lodlab/viz/draw_contacts.hpp"
+#include "lodlab/viz/draw_motion.hpp"
+#include "lodlab/viz/draw_traversal.hpp"
+#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/number_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/sample_scene.hpp"
-#include "viz/draw_backtracking.hpp"
-#include "viz/draw_contacts.hpp"
-#include "viz/draw_motion.hpp"
-#include "viz/draw_traversal.hpp"
-#include "viz/draw_tree.hpp"
-#include "viz/number_text.hpp"
 
 using namespace viz;
 

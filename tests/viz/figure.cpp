@@ -1,4 +1,4 @@
-#include "viz/figure.hpp"
+#include "lodlab/viz/figure.hpp"
 
 #include "tests/catch.hpp"
 

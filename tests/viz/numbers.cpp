@@ -1,10 +1,10 @@
-#include "viz/number_text.hpp"
+#include "lodlab/viz/number_text.hpp"
 
 #include <limits>
 
+#include "lodlab/viz/draw_plot.hpp"
+#include "lodlab/viz/plot.hpp"
 #include "tests/catch.hpp"
-#include "viz/draw_plot.hpp"
-#include "viz/plot.hpp"
 
 using namespace viz;
 

@@ -1,4 +1,4 @@
-#include "viz/palette.hpp"
+#include "lodlab/viz/palette.hpp"
 
 #include <array>
 #include <cmath>

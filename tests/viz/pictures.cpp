@@ -3,11 +3,11 @@
 #include <limits>
 #include <sstream>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/paint.hpp"
+#include "lodlab/viz/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"
-#include "viz/paint.hpp"
-#include "viz/write.hpp"
 
 using namespace viz;
 using sample::Scratch;

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "lod2d/build_tree.hpp"
-#include "lod2d/generators.hpp"
-#include "viz/scene_view.hpp"
+#include "lodlab/lod2d/build_tree.hpp"
+#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/viz/scene_view.hpp"
 
 namespace sample {
 

@@ -2,13 +2,13 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/error.hpp"
-#include "lod3d/generators.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/viz/sight.hpp"
+#include "lodlab/viz/space_render.hpp"
+#include "lodlab/viz/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"
-#include "viz/sight.hpp"
-#include "viz/space_render.hpp"
-#include "viz/write.hpp"
 
 using namespace viz;
 using Vector3 = lod::Vector<3>;

@@ -2,10 +2,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/error.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/viz/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"
-#include "viz/write.hpp"
 
 using namespace viz;
 using sample::Scratch;
