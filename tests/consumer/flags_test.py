@@ -1,0 +1,157 @@
+"""Builds every example, and a program that uses Eigen with settings of its own, against an installed
+lodlab, with compiler flags that the library was not built with. Each must compile, run to its end, and
+print and write the same bytes as with no flags at all. What must not compile or link is tried, too.
+
+Usage: flags_test.py --prefix DIR --libdir lib --sources DIR --compilers g++ [clang++ ...]
+                     [--base FLAGS] [--all]
+--base are flags that the library itself needs (a sanitizer's); --all tries every flag with every
+standard and sanitizer, which takes some minutes; without it a choice is tried.
+"""
+
+import argparse
+import concurrent.futures
+import hashlib
+import itertools
+import os
+import pathlib
+import shlex
+import subprocess
+import sys
+import tempfile
+
+FEW = [
+    ["-march=x86-64-v3", "-O2"],
+    ["-march=native", "-O3", "-ffp-contract=fast"],
+    ["-DEIGEN_MAX_ALIGN_BYTES=64", "-O1", "-std=c++23"],
+]
+ALL = [
+    ["-march=x86-64-v2"],
+    ["-march=x86-64-v3"],
+    ["-march=x86-64-v4"],
+    ["-march=native"],
+    ["-march=native", "-ffp-contract=fast"],
+    ["-DEIGEN_MAX_ALIGN_BYTES=64"],
+    ["-DEIGEN_DONT_VECTORIZE"],
+]
+# flags: what the message must say
+REFUSED = {
+    ("-ffast-math",): "forget infinities",
+    ("-Ofast",): "forget infinities",
+    ("-fpack-struct",): "another layout",
+    ("-fshort-enums",): "another layout",
+    ("-D_GLIBCXX_DEBUG",): "layout_0_1_with_GLIBCXX_DEBUG",
+}
+WITH_EIGEN = "with_eigen"
+
+
+def runs_here(flags):
+    """Whether this machine executes what the flags ask for."""
+    level = [flag.rsplit("-", 1)[1] for flag in flags if flag.startswith("-march=x86-64-v")]
+    if not level:
+        return True
+    loader = next(iter(pathlib.Path("/lib64").glob("ld-linux-x86-64.so.2")), None)
+    if loader is None:
+        return False
+    said = subprocess.run([loader, "--help"], capture_output=True, text=True).stdout
+    return f"x86-64-{level[0]} (supported" in said
+
+
+class Consumer:
+    def __init__(self, arguments):
+        self.sources = pathlib.Path(arguments.sources)
+        self.base = shlex.split(arguments.base)
+        environment = dict(os.environ)
+        folder = f"{arguments.prefix}/{arguments.libdir}/pkgconfig"
+        environment["PKG_CONFIG_PATH"] = folder + ":" + environment.get("PKG_CONFIG_PATH", "")
+        modules = ["lodlab-viz", "lodlab-lod2d", "lodlab-lod3d"]
+
+        def ask(what):
+            answer = subprocess.run(["pkg-config", what, *modules], env=environment, check=True,
+                                    capture_output=True, text=True)
+            return answer.stdout.split()
+
+        self.cflags = ask("--cflags")
+        self.libs = ask("--libs")
+        # Eigen is the program's own affair: lodlab's headers need none.
+        self.eigen = subprocess.run(["pkg-config", "--cflags", "eigen3"], check=True,
+                                    capture_output=True, text=True).stdout.split()
+        self.environment = dict(os.environ, LD_LIBRARY_PATH=f"{arguments.prefix}/{arguments.libdir}")
+        self.programs = {path.stem: path for path in sorted((self.sources / "examples").glob("*.cpp"))}
+        self.programs[WITH_EIGEN] = self.sources / "tests/consumer/with_eigen.cpp"
+
+    def compile(self, name, compiler, flags, output):
+        """The program's flags stand last, as a careless user's would."""
+        eigen = self.eigen if name == WITH_EIGEN else []
+        command = [compiler, "-std=c++20", *self.base, self.programs[name], *self.cflags, *eigen,
+                   *flags, "-o", output, *self.libs]
+        return subprocess.run(command, capture_output=True, text=True)
+
+    def outcome(self, name, compiler, flags):
+        """What the program prints and writes; or a line that begins with an exclamation mark."""
+        with tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(folder) / "program"
+            built = self.compile(name, compiler, flags, program)
+            if built.returncode != 0:
+                return "! does not compile: " + built.stderr.strip()[-2000:]
+            ran = subprocess.run([program], cwd=folder, capture_output=True, text=True,
+                                 env=self.environment)
+            if ran.returncode != 0:
+                return f"! ends with {ran.returncode}: {ran.stderr.strip()[-2000:]}"
+            program.unlink()
+            written = [f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
+                       for path in sorted(pathlib.Path(folder).iterdir())]
+            return "\n".join([ran.stdout, *written])
+
+
+def check_refusals(consumer, compilers):
+    wrong = []
+    for compiler, (flags, message) in itertools.product(compilers, REFUSED.items()):
+        if "clang" in pathlib.Path(compiler).name and "-fpack-struct" in flags:
+            flags = ("-fpack-struct=1",)
+        with tempfile.TemporaryDirectory() as folder:
+            built = consumer.compile("two_bodies", compiler, list(flags), f"{folder}/program")
+        if built.returncode == 0 or message not in built.stderr:
+            wrong.append(f"{compiler} {' '.join(flags)}: should be refused by a message with "
+                         f"\"{message}\"; it said {built.stderr[-500:] or 'nothing'}")
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    for option in ("--prefix", "--libdir", "--sources"):
+        parser.add_argument(option, required=True)
+    parser.add_argument("--compilers", nargs="+", required=True)
+    parser.add_argument("--base", default="")
+    parser.add_argument("--all", action="store_true")
+    arguments = parser.parse_args()
+    consumer = Consumer(arguments)
+
+    flag_sets = FEW
+    if arguments.all:
+        flag_sets = [flags + ["-O2", standard, *sanitizer] for flags in ALL
+                     for standard in ("-std=c++20", "-std=c++23")
+                     for sanitizer in ([], ["-fsanitize=address"])]
+    skipped = [flags for flags in flag_sets if not runs_here(flags)]
+    flag_sets = [flags for flags in flag_sets if flags not in skipped]
+
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        expected = dict(zip(consumer.programs, pool.map(
+            lambda name: consumer.outcome(name, arguments.compilers[0], []), consumer.programs)))
+        trials = list(itertools.product(consumer.programs, arguments.compilers, flag_sets))
+        found = list(pool.map(lambda trial: consumer.outcome(*trial), trials))
+
+    wrong = check_refusals(consumer, arguments.compilers)
+    wrong += [f"{name} with no flags {outcome}" for name, outcome in expected.items() if outcome[0] == "!"]
+    for (name, compiler, flags), outcome in zip(trials, found):
+        if outcome != expected[name]:
+            wrong.append(f"{name}, {compiler} {' '.join(flags)}:\n{outcome}\ninstead of\n{expected[name]}")
+    print("\n\n".join(wrong))
+    for flags in skipped:
+        print(f"not tried, this machine lacks the instructions: {' '.join(flags)}")
+    refusals = len(REFUSED) * len(arguments.compilers)
+    print(f"{len(trials) + refusals - len(wrong)} of {len(trials) + refusals} as they should be")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
