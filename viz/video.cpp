@@ -14,6 +14,7 @@ extern "C" {
 #include <cstdlib>
 #include <exception>
 #include <memory>
+#include <type_traits>
 
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
@@ -27,6 +28,9 @@ namespace {
 
 constexpr int stream_buffer = 1 << 16;
 constexpr std::int64_t ticks_per_second = 90000;
+// What a stream's writer is given, since ffmpeg 7 and before.
+using Written =
+    std::conditional_t<LIBAVFORMAT_VERSION_MAJOR >= 61, const std::uint8_t, std::uint8_t>;
 
 struct Free {
     void operator()(AVFormatContext* format) const { avformat_free_context(format); }
@@ -49,12 +53,9 @@ struct Encoder {
 };
 
 Encoder first_of(std::initializer_list<const char*> names, std::size_t good) {
-    std::size_t number = 0;
-    for (const char* name : names) {
-        if (const AVCodec* codec = avcodec_find_encoder_by_name(name))
+    for (std::size_t number = 0; number < names.size(); ++number)
+        if (const AVCodec* codec = avcodec_find_encoder_by_name(names.begin()[number]))
             return {codec, number >= good};
-        ++number;
-    }
     return {};
 }
 
@@ -80,7 +81,7 @@ class VideoFile {
     GifPalette palette;  ///< to be chosen before the first frame of a GIF
 
   private:
-    static int write(void* self, std::uint8_t* data, int size);
+    static int write(void* self, Written* data, int size);
     static std::int64_t seek(void* self, std::int64_t offset, int whence);
 
     void open_codec(const Encoder& encoder, int width, int height);
@@ -142,7 +143,7 @@ void VideoFile::check(int code, const char* doing) const {
                                                         "); try another format");
 }
 
-int VideoFile::write(void* self, std::uint8_t* data, int size) {
+int VideoFile::write(void* self, Written* data, int size) {
     auto& video = *static_cast<VideoFile*>(self);
     if (video.discards_) return size;
     try {
@@ -305,10 +306,8 @@ void VideoFile::encode(const AVFrame* frame) {
         const int code = avcodec_receive_packet(codec_.get(), packet_.get());
         if (code == AVERROR(EAGAIN) || code == AVERROR_EOF) return;
         check(code, "encoding a frame");
-        if (!filter_) {
-            mux(packet_.get());
-            continue;
-        }
+        if (!filter_) mux(packet_.get());
+        if (!filter_) continue;
         check(av_bsf_send_packet(filter_.get(), packet_.get()), "filtering a frame");
         while (av_bsf_receive_packet(filter_.get(), packet_.get()) >= 0) mux(packet_.get());
     }

@@ -232,7 +232,7 @@ TEST_CASE("a body too fast for a step of Box2D is refused with the mend", "[box2
     Corridor corridor;
     corridor.bodies[0].velocity = {200, 0};  // 3.3 units a step; Box2D would move 2
     CHECK_THROWS_WITH(run_box2d(corridor.bodies, corridor.shapes, 1, 1.0 / 240),
-                      Catch::Contains("shorten its time step"));
+                      lodtest::contains("shorten its time step"));
     corridor.bodies[0].velocity = {0, 0};
     corridor.bodies[0].spin[0] = 2000;
     CHECK_THROWS_AS(run_box2d(corridor.bodies, corridor.shapes, 1, 1.0 / 240), lod::Error);

@@ -171,7 +171,7 @@ TEST_CASE("settings out of range are refused by name, and progress runs from 0 t
     refused(4, 11, Builder::medial);
     refused(8, 3, Builder::quadtree);
     CHECK(builder_named("pieces") == Builder::pieces);
-    CHECK_THROWS_WITH(builder_named("octree"), Catch::Contains("quadtree, pieces or medial"));
+    CHECK_THROWS_WITH(builder_named("octree"), lodtest::contains("quadtree, pieces or medial"));
 
     for (const Builder builder : builders()) {
         std::vector<double> shares;

@@ -39,11 +39,11 @@ TEST_CASE("a .sph file lists the complete tree in the mesh's frame", "[export]")
 
 TEST_CASE("JSON and URDF list each level's spheres and the leaves above it", "[export]") {
     const std::string json = spheres_to_json(small_tree(), Point::Zero());
-    CHECK_THAT(json, Catch::Contains("\"frame\": \"mesh\""));
-    CHECK_THAT(json, Catch::Contains("{\"centre\": [-1, 0.1, 0], \"radius\": 1}"));
+    CHECK_THAT(json, lodtest::contains("\"frame\": \"mesh\""));
+    CHECK_THAT(json, lodtest::contains("{\"centre\": [-1, 0.1, 0], \"radius\": 1}"));
     const std::string urdf = spheres_to_urdf(small_tree(), Point::Zero(), 2, "a<b");
-    CHECK_THAT(urdf, Catch::Contains("<robot name=\"a&lt;b\">"));
-    CHECK_THAT(urdf, Catch::Contains("<origin xyz=\"1 0 0\"/><geometry><sphere radius=\"2.5\"/>"));
-    CHECK_THAT(urdf, Catch::Contains("<sphere radius=\"1\"/>"));
-    CHECK_THAT(urdf, !Catch::Contains("<sphere radius=\"4\"/>"));
+    CHECK_THAT(urdf, lodtest::contains("<robot name=\"a&lt;b\">"));
+    CHECK_THAT(urdf, lodtest::contains("<origin xyz=\"1 0 0\"/><geometry><sphere radius=\"2.5\"/>"));
+    CHECK_THAT(urdf, lodtest::contains("<sphere radius=\"1\"/>"));
+    CHECK_THAT(urdf, !lodtest::contains("<sphere radius=\"4\"/>"));
 }

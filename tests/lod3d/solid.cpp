@@ -48,24 +48,24 @@ TEST_CASE("numbers that are none are refused and counted", "[solid]") {
     Mesh nan = made("box");
     nan.vertices[3].y() = std::numeric_limits<double>::quiet_NaN();
     nan.vertices[5].x() = 1e300;
-    CHECK_THAT(refusal(nan), Catch::Contains("it: 2 of 8 vertices are not finite"));
+    CHECK_THAT(refusal(nan), lodtest::contains("it: 2 of 8 vertices are not finite"));
     Mesh astray = made("box");
     astray.triangles[2][1] = 8;
     astray.triangles[4][0] = -1;
-    CHECK_THAT(refusal(astray), Catch::Contains("2 vertex numbers are out of range"));
-    CHECK_THAT(refusal({}), Catch::Contains("no triangles"));
+    CHECK_THAT(refusal(astray), lodtest::contains("2 vertex numbers are out of range"));
+    CHECK_THAT(refusal({}), lodtest::contains("no triangles"));
 }
 
 TEST_CASE("meshes without volume are refused, each with its reason", "[solid]") {
     const Mesh one{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
-    CHECK_THAT(refusal(one), Catch::Contains("3 edges with one triangle only"));
+    CHECK_THAT(refusal(one), lodtest::contains("3 edges with one triangle only"));
     const Mesh point{{{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}, {{0, 1, 2}}};
-    CHECK_THAT(refusal(point), Catch::Contains("two equal corners"));
+    CHECK_THAT(refusal(point), lodtest::contains("two equal corners"));
     Mesh flat = made("box");
     for (Point& p : flat.vertices) p.z() = 0;
     CHECK(refusal(flat) != "accepted");
     Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};  // both sides of one
-    CHECK_THAT(refusal(sheet), Catch::Contains("no volume"));
+    CHECK_THAT(refusal(sheet), lodtest::contains("no volume"));
 }
 
 TEST_CASE("an open mesh is refused with its edges, or filled when asked", "[solid]") {
@@ -73,7 +73,7 @@ TEST_CASE("an open mesh is refused with its edges, or filled when asked", "[soli
     const double volume = integrate(open).volume;
     open.triangles.erase(open.triangles.begin() + 100, open.triangles.begin() + 103);
     CHECK_THAT(refusal(open),
-               Catch::Contains("edges with one triangle only") && Catch::Contains("fill"));
+               lodtest::contains("edges with one triangle only") && lodtest::contains("fill"));
     const Solid filled = make_solid("it", open, {.fill = true, .fill_cells = 48});
     CHECK(filled.approximate);
     CHECK(filled.volume == Approx(volume).epsilon(0.01));
@@ -102,7 +102,7 @@ TEST_CASE("an inside-out mesh is turned, and that is said", "[solid]") {
     const Solid solid = make_solid("it", knot);
     CHECK(solid.volume == Approx(volume).epsilon(1e-12));
     REQUIRE(solid.mended.size() == 1);
-    CHECK_THAT(solid.mended[0], Catch::Contains("inside-out"));
+    CHECK_THAT(solid.mended[0], lodtest::contains("inside-out"));
 }
 
 TEST_CASE("two parts side by side make one exact solid, even if one is inside-out", "[solid]") {

@@ -141,11 +141,11 @@ TEST_CASE("settings out of range are refused, and progress never falls", "[tree]
     CHECK_THROWS_AS(build_sphere_tree(solid, settings), lod::Error);
     settings.branching = 4;
     settings.builder = SolidBuilder::octree;
-    CHECK_THROWS_WITH(build_sphere_tree(solid, settings), Catch::Contains("branching 8"));
-    CHECK_THROWS_WITH(solid_builder_named("dodo"), Catch::Contains("octree or cover"));
+    CHECK_THROWS_WITH(build_sphere_tree(solid, settings), lodtest::contains("branching 8"));
+    CHECK_THROWS_WITH(solid_builder_named("dodo"), lodtest::contains("octree or cover"));
     settings = {};
     settings.effort = -1;
-    CHECK_THROWS_WITH(build_sphere_tree(solid, settings), Catch::Contains("effort"));
+    CHECK_THROWS_WITH(build_sphere_tree(solid, settings), lodtest::contains("effort"));
     settings.effort = 0.05;
     settings.depth = 2;
     double last = 0;

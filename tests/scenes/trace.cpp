@@ -104,7 +104,7 @@ TEST_CASE("a trace of another scene is refused") {
     auto changed = crossing();
     changed[2].position.x() += 1e-15;
     CHECK_THROWS_WITH(scenes::replay<2>(scenes::read_trace(path), changed, {}),
-                      Catch::Matchers::Contains("the scene is not the one of the trace (crossing"));
+                      lodtest::contains("the scene is not the one of the trace (crossing"));
 }
 
 TEST_CASE("a trace that was edited is found out, with the frame") {
@@ -118,7 +118,7 @@ TEST_CASE("a trace that was edited is found out, with the frame") {
     }
     trace.state_hashes[123] ^= 1;
     CHECK_THROWS_WITH(scenes::replay<2>(trace, crossing(), {}),
-                      Catch::Matchers::Contains("differs from the trace from frame 123 on"));
+                      lodtest::contains("differs from the trace from frame 123 on"));
 }
 
 TEST_CASE("a file that is no trace is refused in one line") {

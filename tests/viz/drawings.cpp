@@ -103,8 +103,8 @@ TEST_CASE("a traversal of bodies that are apart says so", "[drawings]") {
     const auto fronts = lod::traverse_levels(a.body, b.body);
     REQUIRE(fronts.back().verdict == lod::Verdict::apart);
     const Figure figure = traversal(a, b, fronts);
-    CHECK_THAT(figure.title, Catch::Contains("do not collide"));
-    CHECK_THAT(figure.alt, Catch::Contains("not colliding"));
+    CHECK_THAT(figure.title, lodtest::contains("do not collide"));
+    CHECK_THAT(figure.alt, lodtest::contains("not colliding"));
     CHECK(discs_of(figure.panels.back(), Role::meeting_node) == 0);
 }
 
@@ -133,8 +133,8 @@ TEST_CASE("a strip shows start, detection and after of every run", "[drawings]")
             CHECK(arrow->label == "*j* = 4.5\u00A0N s");
         }
     }
-    CHECK_THAT(figure.alt, Catch::Contains("A at 2.5\u00A0m/s"));
-    CHECK_THAT(figure.alt, Catch::Contains("B at 0.5\u00A0m/s"));
+    CHECK_THAT(figure.alt, lodtest::contains("A at 2.5\u00A0m/s"));
+    CHECK_THAT(figure.alt, lodtest::contains("B at 0.5\u00A0m/s"));
 }
 
 TEST_CASE("the panels of a strip share one view, which holds all that moves", "[drawings]") {
@@ -153,7 +153,7 @@ TEST_CASE("a run that never collides says so in its strip", "[drawings]") {
     const Run<2> run = head_on(5);
     const Figure figure = strips<2>({run});
     CHECK(figure.panels[1].title == "no collision");
-    CHECK_THAT(figure.alt, Catch::Contains("no collision"));
+    CHECK_THAT(figure.alt, lodtest::contains("no collision"));
     CHECK_THROWS_AS(strips<2>({Run<2>{}}), lod::Error);
 }
 

@@ -52,7 +52,7 @@ void refuses(const Figure& figure, const std::string& word) {
             FAIL("drawn all the same");
         } catch (const lod::Error& error) {
             CHECK(error.kind() == lod::ErrorKind::input_refused);
-            CHECK_THAT(error.what(), Catch::Contains(word));
+            CHECK_THAT(error.what(), lodtest::contains(word));
         }
         CHECK(folder.is_empty());
     }
@@ -90,9 +90,9 @@ TEST_CASE("an SVG tells its title and alt text to those who cannot see it", "[pi
     const Scratch folder;
     write_svg(folder / "f.svg", some_figure());
     const std::string svg = bytes_of(folder / "f.svg");
-    CHECK_THAT(svg, Catch::Contains("role=\"img\""));
-    CHECK_THAT(svg, Catch::Contains("<title>Do A &amp; &lt;B&gt; touch?</title>"));
-    CHECK_THAT(svg, Catch::Contains("<desc>Two circles &amp; an arrow.</desc>"));
+    CHECK_THAT(svg, lodtest::contains("role=\"img\""));
+    CHECK_THAT(svg, lodtest::contains("<title>Do A &amp; &lt;B&gt; touch?</title>"));
+    CHECK_THAT(svg, lodtest::contains("<desc>Two circles &amp; an arrow.</desc>"));
 }
 
 TEST_CASE("light and dark draw the same page on different grounds", "[pictures]") {
@@ -196,7 +196,7 @@ TEST_CASE("a folder that is not there is named in the error", "[pictures]") {
         FAIL("written");
     } catch (const lod::Error& error) {
         CHECK(error.kind() == lod::ErrorKind::output_failed);
-        CHECK_THAT(error.what(), Catch::Contains("/nowhere/at/all/f.png"));
+        CHECK_THAT(error.what(), lodtest::contains("/nowhere/at/all/f.png"));
     }
 }
 
@@ -207,6 +207,6 @@ TEST_CASE("an ending that names no format is a usage error that lists those that
         FAIL("written");
     } catch (const lod::Error& error) {
         CHECK(error.kind() == lod::ErrorKind::usage);
-        CHECK_THAT(error.what(), Catch::Contains(".png .svg .pdf .json"));
+        CHECK_THAT(error.what(), lodtest::contains(".png .svg .pdf .json"));
     }
 }

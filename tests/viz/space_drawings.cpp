@@ -82,8 +82,8 @@ TEST_CASE("a sphere tree's montage holds each level's spheres and the mesh", "[s
         CHECK(panel.space->facets[0].surface == actor.look.outline);  // shared, not copied
         CHECK(panel.space->camera.eye == figure.panels[0].space->camera.eye);
     }
-    CHECK_THAT(figure.title, Catch::Contains("spheres"));
-    CHECK_THAT(figure.alt, Catch::Contains("Level 1: 8 spheres"));
+    CHECK_THAT(figure.title, lodtest::contains("spheres"));
+    CHECK_THAT(figure.alt, lodtest::contains("Level 1: 8 spheres"));
     CHECK_NOTHROW(check_figure(figure));
 }
 
@@ -96,8 +96,8 @@ TEST_CASE("a traversal in space shows the fronts' nodes and the verdict", "[spac
     CHECK(balls_of(figure.panels[1], Role::node) ==
           static_cast<int>(tested.a.size() + tested.b.size()));
     CHECK(balls_of(figure.panels[0], Role::meeting_node) == 2);
-    CHECK_THAT(figure.alt, Catch::Contains("The sphere trees of box:1,1,1 A and box:1,1,1 B"));
-    CHECK_THAT(figure.alt, Catch::Contains("At level 0: 1 node test, 1 overlapping pair"));
+    CHECK_THAT(figure.alt, lodtest::contains("The sphere trees of box:1,1,1 A and box:1,1,1 B"));
+    CHECK_THAT(figure.alt, lodtest::contains("At level 0: 1 node test, 1 overlapping pair"));
 }
 
 TEST_CASE("contacts of two cubes stand where they touch on the panel", "[space][drawings]") {
@@ -126,8 +126,8 @@ TEST_CASE("the strip of a collision in space tells impulse, times and ends", "[s
     const Arrow* impulse = first_of<Arrow>(figure.panels[1], Role::impulse);
     REQUIRE(impulse);
     CHECK(impulse->label == "*j* = 4.5\u00A0N s");
-    CHECK_THAT(figure.caption, Catch::Contains("Bold spheres"));
-    CHECK_THAT(figure.alt, Catch::Contains("with 1 contact"));
+    CHECK_THAT(figure.caption, lodtest::contains("Bold spheres"));
+    CHECK_THAT(figure.alt, lodtest::contains("with 1 contact"));
     for (const Panel& panel : figure.panels) CHECK(panel.view.low == figure.panels[0].view.low);
     CHECK_THROWS_AS(strips<3>({Run<3>{}}), lod::Error);
 }
@@ -202,7 +202,7 @@ TEST_CASE("a collision is projected so that its normal lies in the picture", "[s
     const Arrow* normal = first_of<Arrow>(figure.panels[0], Role::normal);
     REQUIRE(normal);
     CHECK(normal->tip.y == Approx(normal->tail.y).margin(1e-12));
-    CHECK_THAT(figure.alt, Catch::Contains("2 circles"));
+    CHECK_THAT(figure.alt, lodtest::contains("2 circles"));
     lod::Front none;
     CHECK_THROWS_AS(projected_collision(a, b, none), lod::Error);
 }
