@@ -6,6 +6,7 @@
 #include "lodlab/core/error.hpp"
 #include "lodlab/viz/paint.hpp"
 #include "lodlab/viz/write.hpp"
+#include "lodlab/viz/document.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"
 
@@ -65,6 +66,22 @@ Figure with(const Mark& mark) {
 }
 
 }  // namespace
+
+TEST_CASE("ids that a library counts through a process are numbered anew in each picture",
+          "[pictures]") {
+    // As Cairo 1.18 and 1.16 write them, where other pictures came before or did not.
+    const auto svg = [](const std::string& n, const std::string& m) {
+        return "<svg x=\"0\"><g id=\"source-" + n + "\"/><image id=\"source-" + m +
+               "\"/><mask id=\"mask" + n + "\" fill=\"url(#source-" + m +
+               ")\"/><use xlink:href=\"#source-" + n + "\" mask=\"url(#mask" + n +
+               ")\" fill=\"#120012\"/></svg>";
+    };
+    const std::string first = finished_svg(svg("5", "7"), "a title", "words");
+    CHECK(first == finished_svg(svg("12", "13"), "a title", "words"));
+    CHECK_THAT(first, lodtest::contains("<image id=\"source-2\"/>"));
+    CHECK_THAT(first, lodtest::contains("fill=\"url(#source-2)\""));
+    CHECK_THAT(first, lodtest::contains("mask=\"url(#mask1)\" fill=\"#120012\""));
+}
 
 TEST_CASE("a figure drawn twice gives the same bytes", "[pictures]") {
     const Scratch folder;
