@@ -22,6 +22,7 @@ struct BodySpec {
     std::string name;            ///< unique in its scene
     std::string shape;           ///< as written: a file, "package:NAME/FILE", "text:R", a generator
     std::filesystem::path file;  ///< where the shape is a file beside the scene: its path
+    std::string sha256;          ///< of the file that the scene was made with; empty: any will do
     std::optional<double> size;  ///< longest side of the shape's box [m]
     bool fill = false;           ///< open meshes are filled by winding number
     double density = 1;          ///< [kg/m^2] in the plane, [kg/m^3] in space

@@ -5,6 +5,8 @@
 #include <tuple>
 
 #include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/io/sha256.hpp"
 
 namespace scenes {
 namespace {
@@ -26,6 +28,22 @@ struct Stock {
     }
 };
 
+constexpr std::size_t most_shape_bytes = std::size_t{1} << 30;
+
+/// What makes a shape another one on another machine: its file has other bytes than the scene was
+/// made with, or its outlines are those of a font that is installed here.
+std::string remark_on_source(const BodySpec& spec) {
+    if (spec.shape.starts_with("text:"))
+        return "'" + spec.shape +
+               "' is drawn by the font of this machine; where another one is installed the shape, "
+               "and its motion, is another";
+    if (spec.sha256.empty() ||
+        io::sha256(lod::read_text_file(spec.file, most_shape_bytes)) == spec.sha256)
+        return "";
+    return "the scene was made with another version of " + spec.shape +
+           "; its motion may be another than described";
+}
+
 template <int Dim>
 typename Stock<Dim>::SharedShape shape_of(const BodySpec& spec, double raise_limits,
                                           Stock<Dim>& stock, std::vector<std::string>& warnings) {
@@ -34,7 +52,10 @@ typename Stock<Dim>::SharedShape shape_of(const BodySpec& spec, double raise_lim
     if (!shape) {
         shape = std::make_shared<const Shape<Dim>>(
             Shapes<Dim>::named(name, {spec.size, spec.fill, raise_limits}));
-        for (const std::string& line : Shapes<Dim>::remarks(*shape))
+        std::vector<std::string> remarks = Shapes<Dim>::remarks(*shape);
+        remarks.push_back(remark_on_source(spec));
+        std::erase(remarks, "");
+        for (const std::string& line : remarks)
             warnings.push_back(spec.where + ": body " + spec.name + ": " + line);
     }
     return shape;

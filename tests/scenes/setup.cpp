@@ -1,6 +1,8 @@
 #include "lodlab/scenes/setup.hpp"
 
 #include "lodlab/core/error.hpp"
+#include "lodlab/core/output_file.hpp"
+#include "lodlab/io/sha256.hpp"
 #include "tests/catch.hpp"
 
 namespace {
@@ -174,4 +176,30 @@ TEST_CASE("a shape of the other dimension is refused with the mend") {
     CHECK_THAT(refusal("2", "knot"), Contains("'knot' names no shape"));
     CHECK_THAT(refusal("3", "package:nothing/a.obj"), Contains("no such package"));
     CHECK_THAT(refusal("2", "package:glmark2-data/bunny.obj"), Contains("write dim = 3"));
+}
+
+TEST_CASE("a scene made with another version of a file, or with a font, says so once") {
+    const auto warnings_of = [](const std::string& keys) {
+        const std::string text = "duration = 1\n[[body]]\nname = \"one\"\n" + keys +
+                                 "depth = 1\n[[body]]\nname = \"two\"\nposition = [9, 0]\n" + keys +
+                                 "depth = 1\n";
+        const auto path = std::filesystem::path(LODLAB_SOURCE_DIR) / "scenes" / "made_here.toml";
+        return scenes::set_up<2>(scenes::parse_scene(text, path)).warnings;
+    };
+    const std::string letter = "shape = \"shapes/letter_R.svg\"\n";
+    CHECK(warnings_of(letter).empty());
+    const std::string right =
+        io::sha256(lod::read_text_file(LODLAB_SOURCE_DIR "/scenes/shapes/letter_R.svg", 1 << 20));
+    CHECK(warnings_of(letter + "sha256 = \"" + right + "\"\n").empty());
+
+    const auto changed = warnings_of(letter + "sha256 = \"" + std::string(64, '0') + "\"\n");
+    REQUIRE(changed.size() == 1);
+    CHECK_THAT(changed[0], lodtest::contains("made_here.toml:2:"));
+    CHECK_THAT(changed[0], lodtest::contains("another version of shapes/letter_R.svg"));
+
+    const auto font = warnings_of("shape = \"text:R\"\n");
+    REQUIRE(font.size() == 1);
+    CHECK_THAT(font[0], lodtest::contains("font of this machine"));
+
+    CHECK_THROWS_AS(warnings_of(letter + "sha256 = \"12\"\n"), lod::Error);
 }
