@@ -50,3 +50,10 @@ extern const char LOD_LAYOUT;
 #else
 #define LOD_INLINE inline
 #endif
+
+/// For functions that return a reference into a parameter that lives on, not into a temporary.
+#if defined(__has_cpp_attribute) && __has_cpp_attribute(gnu::no_dangling)
+#define LOD_NO_DANGLING [[gnu::no_dangling]]
+#else
+#define LOD_NO_DANGLING
+#endif

@@ -70,14 +70,16 @@ struct FrameStorage {
 
 /// Detection and contact modelling at the present instant; no body changes.
 template <int Dim>
-const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSettings& settings,
-                               Budget& budget, FrameStorage<Dim>& storage);
+LOD_NO_DANGLING const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies,
+                                               const FrameSettings& settings, Budget& budget,
+                                               FrameStorage<Dim>& storage);
 
 /// One frame: detect, respond, integrate. A pair that is backtracked (FinestDetail) responds where
 /// it stood at its time of impact and goes on from there. The record is valid until the next call.
 /// Requires: every body passed check_body.
 template <int Dim>
-const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings& settings,
-                                Budget& budget, FrameStorage<Dim>& storage);
+LOD_NO_DANGLING const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies,
+                                                const FrameSettings& settings, Budget& budget,
+                                                FrameStorage<Dim>& storage);
 
 }  // namespace lod
