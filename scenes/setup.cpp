@@ -7,6 +7,7 @@
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
 #include "lodlab/io/sha256.hpp"
+#include "lodlab/scenes/places.hpp"
 
 namespace scenes {
 namespace {
@@ -37,9 +38,10 @@ std::string remark_on_source(const BodySpec& spec) {
         return "'" + spec.shape +
                "' is drawn by the font of this machine; where another one is installed the shape, "
                "and its motion, is another";
-    if (spec.sha256.empty() ||
-        io::sha256(lod::read_text_file(spec.file, most_shape_bytes)) == spec.sha256)
-        return "";
+    if (spec.sha256.empty()) return "";
+    const std::filesystem::path file =
+        in_package(spec.shape) ? package_file(spec.shape) : spec.file;
+    if (io::sha256(lod::read_text_file(file, most_shape_bytes)) == spec.sha256) return "";
     return "the scene was made with another version of " + spec.shape +
            "; its motion may be another than described";
 }

@@ -1,0 +1,36 @@
+// How collisions degrade, as the text that `lodlab degrade` writes.
+
+#include "lodlab/measure/curves.hpp"
+#include "tests/determinism/report.hpp"
+
+namespace {
+
+template <int Dim>
+void add_curves(const std::string& where, std::vector<std::string> shapes,
+                const std::string& builder, int impacts, Report& report) {
+    measure::Plan plan;
+    plan.dim = Dim;
+    plan.shapes = std::move(shapes);
+    plan.builder = builder;
+    plan.depth = 2;
+    plan.impacts = impacts;
+    plan.ensemble.seed = 7;
+    plan.models = {lod::ContactModel::centre_line, lod::ContactModel::node_normal};
+    plan.responses = {lod::Response::net};
+    std::vector<measure::Kind<Dim>> kinds;
+    for (const std::string& shape : plan.shapes)
+        kinds.push_back(
+            measure::make_kind<Dim>(shape, {}, {builder, {}, plan.depth, {}, {}, {}}, {}));
+    const measure::Outcomes outcomes = measure::degrade<Dim>(plan, kinds);
+    report.add_text("degradation in " + where + ", every outcome",
+                    measure::outcomes_json(outcomes));
+    report.add_text("degradation in " + where + ", its curves",
+                    measure::curves_csv(measure::curves_of(outcomes)));
+}
+
+}  // namespace
+
+void add_measurements(Report& report) {
+    add_curves<2>("the plane", {"box", "L", "star:5"}, "medial", 12, report);
+    add_curves<3>("space", {"box", "L"}, "octree", 3, report);
+}
