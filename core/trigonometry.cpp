@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace lod {
@@ -11,6 +12,10 @@ namespace {
 constexpr double half_pi_1 = 1.57079632673412561417e+00;
 constexpr double half_pi_2 = 6.07710050630396597660e-11;
 constexpr double half_pi_3 = 2.02226624879595063154e-21;
+
+// pi/2 as the nearest double and the rest.
+constexpr double half_pi_high = std::numbers::pi / 2;
+constexpr double half_pi_low = 6.123233995736766e-17;
 
 // Taylor series on [-pi/4, pi/4]: the first term left out is below 1e-21.
 double short_sine(double x) {
@@ -30,7 +35,42 @@ double short_cosine(double x) {
 /// Beyond this the three-part reduction is not exact any more.
 constexpr double largest_exact = 1e6;
 
+/// The arc tangent of 0 <= t <= 1, by its series about 0 and the addition theorem about 1/4, 1/2,
+/// 3/4 and 1: the series then runs over at most 1/8, and its first term left out is below 1e-20.
+double short_arc_tangent(double t) {
+    // Arc tangents of 0, 1/4, 1/2, 3/4, 1, each as a double and the rest.
+    constexpr double high[] = {0, 0.24497866312686414, 0.4636476090008061, 0.6435011087932844,
+                               0.7853981633974483};
+    constexpr double low[] = {0, 1.0698755618734451e-17, 2.2698777452961687e-17,
+                              1.5834785051444286e-17, 3.061616997868383e-17};
+    const int nearest = static_cast<int>(4 * t + 0.5);
+    const double about = 0.25 * nearest;
+    const double x = (t - about) / (1 + t * about);
+    const double x2 = x * x;
+    double sum = 0;
+    for (int k = 21; k >= 3; k -= 2) sum = x2 * (1.0 / k - sum);
+    return high[nearest] + (low[nearest] + (x - x * sum));
+}
+
 }  // namespace
+
+double direction_angle(double y, double x) {
+    const double along = std::abs(x);
+    const double across = std::abs(y);
+    if (!std::isfinite(along + across) && !(std::isfinite(along) && std::isfinite(across)))
+        return std::numeric_limits<double>::quiet_NaN();
+    double angle = 0;
+    if (across > along)
+        angle = half_pi_high + (half_pi_low - short_arc_tangent(along / across));
+    else if (across > 0)
+        angle = short_arc_tangent(across / along);
+    if (std::signbit(x)) angle = 2 * half_pi_high + (2 * half_pi_low - angle);
+    return std::copysign(angle, y);
+}
+
+double angle_of_cosine(double cosine) {
+    return direction_angle(std::sqrt((1 - cosine) * (1 + cosine)), cosine);
+}
 
 SineCosine sine_cosine(double angle) {
     if (!(std::abs(angle) <= largest_exact)) angle = wrapped_angle(angle);

@@ -13,6 +13,14 @@ struct SineCosine {
 /// but off by about |angle| * 4e-17. NaN for NaN and infinity.
 [[nodiscard]] SineCosine sine_cosine(double angle);
 
+/// The angle [rad] from the x axis to the point (x, y), in [-pi, pi], within 3 units in the last
+/// place; built as sine_cosine is, for the same bits everywhere. Signs and zeros as std::atan2.
+/// NaN where a number is not finite.
+[[nodiscard]] double direction_angle(double y, double x);
+
+/// The angle [rad] whose cosine is `cosine`, in [0, pi]. Requires -1 <= cosine <= 1.
+[[nodiscard]] double angle_of_cosine(double cosine);
+
 /// The angle [rad] brought into [-pi, pi] by whole turns: within 1e-15 and the rounding of the
 /// angle itself for |angle| < 1e6. NaN for NaN and infinity.
 [[nodiscard]] double wrapped_angle(double angle);

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "lodlab/core/trigonometry.hpp"
+
 namespace lod2d {
 namespace {
 
@@ -25,8 +27,8 @@ bool cover(const Disc& own, const Disc& other, bool other_first, std::vector<Int
     if (equal || d + other.radius <= own.radius || d >= own.radius + other.radius) return false;
     const double cosine =
         (own.radius * own.radius + d * d - other.radius * other.radius) / (2 * own.radius * d);
-    const double half = std::acos(std::clamp(cosine, -1.0, 1.0));
-    double from = std::atan2(line.y(), line.x()) - half;
+    const double half = lod::angle_of_cosine(std::clamp(cosine, -1.0, 1.0));
+    double from = lod::direction_angle(line.y(), line.x()) - half;
     if (from < 0) from += turn;
     const double to = from + 2 * half;
     covered.push_back({from, std::min(to, turn)});
@@ -48,7 +50,8 @@ void add_gaps(std::size_t disc, std::vector<Interval>& covered, std::vector<Arc>
 }  // namespace
 
 Point Arc::at(const Disc& of, double angle) const {
-    return of.centre + of.radius * Point(std::cos(angle), std::sin(angle));
+    const lod::SineCosine turned = lod::sine_cosine(angle);
+    return of.centre + of.radius * Point(turned.cosine, turned.sine);
 }
 
 std::vector<Arc> exposed_arcs(std::span<const Disc> discs) {

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "lodlab/core/trigonometry.hpp"
+
 namespace lod3d {
 namespace {
 
@@ -47,7 +49,7 @@ OnTriangle nearest_on(const TriangleTree::Corners& t, const Point& p) {
 }
 
 double angle_between(const Point& u, const Point& v) {
-    return std::atan2(u.cross(v).norm(), u.dot(v));
+    return lod::direction_angle(u.cross(v).norm(), u.dot(v));
 }
 
 /// The sum of the solid angles of triangles seen from the origin (van Oosterom and Strackee 1983).
@@ -60,7 +62,7 @@ class SolidAngles {
         const double y = a.dot(b.cross(c));
         const double x = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
         if (!(std::abs(y) < small * x)) {  // so is 0 over 0, where a corner is the origin
-            sum_ += 2 * std::atan2(y, x);
+            sum_ += 2 * lod::direction_angle(y, x);
             return;
         }
         // Small angles are added by turning one vector, and measured together.
@@ -78,7 +80,7 @@ class SolidAngles {
     static constexpr int most_pending = 30;  ///< 30 x 0.1 is less than half a turn
 
     void measure() {
-        sum_ += 2 * std::atan2(turned_.y(), turned_.x());
+        sum_ += 2 * lod::direction_angle(turned_.y(), turned_.x());
         turned_ = {1, 0};
         pending_ = 0;
     }

@@ -135,7 +135,8 @@ Solid make_solid(std::string name, Mesh mesh, const SolidOptions& options) {
     const bool overlapping = turn_outwards(mesh, solid.mended);
     Integrals of = integrate(mesh);
     const Box box = bounding_box(mesh);
-    if (!(of.volume > 1e-12 * std::pow((box.high - box.low).maxCoeff(), 3)))
+    const double longest = box.size().maxCoeff();
+    if (!(of.volume > 1e-12 * longest * longest * longest))
         lod::refuse_input(solid.name, "the mesh bounds no volume; is it flat?");
     if (overlapping) {
         of = integrate(fill_by_winding(mesh, options.fill_cells));

@@ -5,6 +5,7 @@
 
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/core/trigonometry.hpp"
 
 namespace measure {
 
@@ -14,7 +15,7 @@ double angle_between(const lod::Vector<Dim>& u, const lod::Vector<Dim>& v) {
     // Keeps its digits near 0 and pi (Kahan).
     const lod::Vector<Dim> a = u.normalized();
     const lod::Vector<Dim> b = v.normalized();
-    return 2 * std::atan2((a - b).norm(), (a + b).norm());
+    return 2 * lod::direction_angle((a - b).norm(), (a + b).norm());
 }
 
 template <int Dim>

@@ -35,8 +35,8 @@ constexpr std::size_t most_shape_bytes = std::size_t{1} << 30;
 /// made with, or its outlines are those of a font that is installed here.
 std::string remark_on_source(const BodySpec& spec) {
     if (spec.shape.starts_with("text:"))
-        return "'" + spec.shape +
-               "' is drawn by the font of this machine; where another one is installed the shape, "
+        return spec.shape +
+               " is drawn by the font of this machine; where another one is installed the shape, "
                "and its motion, is another";
     if (spec.sha256.empty()) return "";
     const std::filesystem::path file =

@@ -16,7 +16,9 @@ void check_grow_settings(const GrowSettings& settings) {
         refuse("branching " + branching, "2 to 64 children a node");
     if (settings.depth < 0 || settings.depth > 12)
         refuse("depth " + depth, "0 to 12 levels below the root");
-    if (std::pow(settings.branching, settings.depth) > most_leaves)
+    double leaves = 1;
+    for (int level = 0; level < settings.depth; ++level) leaves *= settings.branching;
+    if (leaves > most_leaves)
         refuse("branching " + branching + " with depth " + depth,
                "fewer than 1048576 leaves in all, for instance branching 4 with depth 10");
     if (!(settings.least_protrusion >= 0)) refuse("the least protrusion", "a share of 0 or more");

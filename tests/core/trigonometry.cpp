@@ -102,3 +102,50 @@ TEST_CASE("an angle within half a turn is not touched", "[trigonometry]") {
     for (const double angle : {0.0, -pi, pi, 1.0, -3.0}) CHECK(wrapped_angle(angle) == angle);
     for (const double angle : {1e10, -1e200}) CHECK(std::abs(wrapped_angle(angle)) <= pi);
 }
+
+namespace {
+
+/// How far from the exact value, in units in the last place of it.
+double ulps_off(double value, long double exact) {
+    const double size = static_cast<double>(std::abs(exact));
+    const double ulp = std::nextafter(size, 10.0) - size;
+    return static_cast<double>(std::abs(value - exact) / ulp);
+}
+
+}  // namespace
+
+TEST_CASE("the angle of a direction is within 3 units in the last place", "[trigonometry]") {
+    lodtest::Random random(31);
+    double worst = 0;
+    for (int trial = 0; trial < 200000; ++trial) {
+        const double scale = std::ldexp(1.0, random.below(60) - 30);
+        const double x = random.in(-1, 1) * (trial % 3 == 0 ? scale : 1);
+        const double y = random.in(-1, 1) * (trial % 3 == 1 ? scale : 1);
+        const long double exact =
+            std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+        worst = std::max(worst, ulps_off(lod::direction_angle(y, x), exact));
+    }
+    CAPTURE(worst);
+    CHECK(worst <= 3);
+    CHECK(worst > 0.3);  // the measure sees something
+}
+
+TEST_CASE("the angle of a direction has the signs and zeros of atan2", "[trigonometry]") {
+    for (const double y : {0.0, -0.0, 1.0, -1.0, 1e-310, 1e300})
+        for (const double x : {0.0, -0.0, 1.0, -1.0, -1e-310, -1e300, 0.5}) {
+            CAPTURE(y, x);
+            const double expected = std::atan2(y, x);
+            const double found = lod::direction_angle(y, x);
+            CHECK(std::signbit(found) == std::signbit(expected));
+            CHECK(found == Approx(expected).epsilon(1e-15));
+        }
+    CHECK(std::isnan(lod::direction_angle(std::nan(""), 1)));
+    CHECK(std::isnan(lod::direction_angle(1, std::numeric_limits<double>::infinity())));
+}
+
+TEST_CASE("the angle of a cosine is the inverse of the cosine", "[trigonometry]") {
+    for (int i = -1000; i <= 1000; ++i) {
+        const double c = i / 1000.0;
+        CHECK(lod::angle_of_cosine(c) == Approx(std::acos(c)).margin(4e-16).epsilon(1e-15));
+    }
+}

@@ -40,6 +40,12 @@ ONE_SOURCE = {
 # Takes vectors to Eigen's and back, for programs and tests; no source of the libraries includes it.
 EIGEN_BORDER = "core/eigen.hpp"
 
+# The C library rounds these as it likes; core/trigonometry.hpp has what gives the same bits everywhere.
+ROUNDED_FREELY = re.compile(
+    r"\bstd::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|log(2|10|1p)?|pow|hypot|cbrt|erf|[lt]gamma)\s*\("
+)
+DECIDE_RESULTS = ["core", "io", "lod2d", "lod3d", "scenes", "measure"]
+
 # These are slow to compile or not part of our interface: sources only, never headers.
 NOT_IN_HEADERS = r"<(nlohmann/json\.hpp|toml\+\+/|toml|CLI/|boost/|pugixml|polyclipping/|ft2build|fontconfig/|md4c|mustache)"
 
@@ -188,6 +194,10 @@ def check_code(name, text, breaches):
         for number, line in enumerate(code.splitlines(), 1):
             if TESTS_DIM.search(line):
                 breaches.append(f"{name}:{number}: asks for Dim; only {MAY_TEST_DIM} may")
+    if folder in DECIDE_RESULTS:
+        for number, line in enumerate(code.splitlines(), 1):
+            if ROUNDED_FREELY.search(line):
+                breaches.append(f"{name}:{number}: a function of the C library; take core/trigonometry.hpp's")
     lines = text.count("\n")
     if lines > MOST_FILE_LINES:
         breaches.append(f"{name}:1: {lines} lines; at most {MOST_FILE_LINES}")

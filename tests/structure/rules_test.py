@@ -45,6 +45,7 @@ BREACHES = {
     "Dim is compared from the left": ("core/a.hpp", "static_assert(2 != Dim);\n"),
     "a specialisation for one dimension": ("core/a.cpp", "template <> void f<2>(int) {}\n"),
     "a second file for Box2D": ("cli/a.cpp", "#include <box2d/b2_body.h>\n"),
+    "a function of the C library": ("measure/a.cpp", "double f(double x) { return std::atan2(x, 2); }\n"),
     "Eigen in a header": ("core/a.hpp", "#include <Eigen/Core>\n"),
     "a library crosses the border to Eigen": ("lod3d/a.cpp", '#include "core/eigen.hpp"\n'),
     "Cairo in a header": ("viz/a.hpp", "#include <cairo/cairo.h>\n"),
