@@ -64,6 +64,11 @@ std::optional<FixedMatrix<Dim, 1>> equidistant(const FixedMatrix<Dim, 1>* arms, 
     return offset;
 }
 
+std::string solvers_release() {
+    return std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+           std::to_string(EIGEN_MINOR_VERSION);
+}
+
 #define LOD_INSTANTIATE(Dim)                                                   \
     template FixedMatrix<Dim, 1> principal_axis(const FixedMatrix<Dim, Dim>&); \
     template std::optional<FixedMatrix<Dim, 1>> equidistant(const FixedMatrix<Dim, 1>*, int);

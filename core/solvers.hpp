@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "lodlab/core/linear.hpp"
 
@@ -24,5 +25,9 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] std::optional<FixedMatrix<Dim, 1>> equidistant(const FixedMatrix<Dim, 1>* arms,
                                                              int count);
+
+/// The release of Eigen that these were compiled with: "3.4.0". Others have given the same bits,
+/// and what is kept for later says which it was made with all the same.
+[[nodiscard]] std::string solvers_release();
 
 }  // namespace lod

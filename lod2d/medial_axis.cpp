@@ -4,6 +4,7 @@
 #include <boost/polygon/point_data.hpp>
 #include <boost/polygon/segment_data.hpp>
 #include <boost/polygon/voronoi.hpp>
+#include <boost/version.hpp>
 #include <cmath>
 
 #include "lodlab/core/error.hpp"
@@ -195,6 +196,10 @@ std::optional<lod::Sphere<2>> MedialAxis::touching(std::int32_t edge, double t) 
     }
     if (!std::isfinite(radius) || radius <= 0) return std::nullopt;
     return lod::Sphere<2>{p + radius * own.inward, radius};
+}
+
+std::string_view medial_axis_release() {
+    return BOOST_LIB_VERSION;
 }
 
 }  // namespace lod2d

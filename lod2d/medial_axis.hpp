@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "lodlab/core/sphere.hpp"
@@ -47,5 +48,8 @@ class MedialAxis {
     std::vector<std::vector<Span>> spans_;  ///< of each edge, by `begin`
     std::vector<std::vector<lod::Sphere<2>>> at_corner_;
 };
+
+/// The release of Boost.Polygon, whose Voronoi diagram this is: "1_74".
+[[nodiscard]] std::string_view medial_axis_release();
 
 }  // namespace lod2d

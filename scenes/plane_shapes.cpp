@@ -1,6 +1,7 @@
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/load.hpp"
+#include "lodlab/lod2d/medial_axis.hpp"
 #include "lodlab/lod2d/outline.hpp"
 #include "lodlab/lod2d/overlap.hpp"
 #include "lodlab/lod2d/tree_report.hpp"
@@ -65,6 +66,7 @@ lod::SphereTree<2> PlaneShapes::build(const Shape& shape, const Settings& settin
 }
 
 void PlaneShapes::identify(const Shape& shape, const Settings& settings, io::Sha256& key) {
+    key.add(lod2d::medial_axis_release());
     key.add(static_cast<int>(shape.polygon.rings.size()));
     for (const lod2d::Ring& ring : shape.polygon.rings) {
         key.add(static_cast<int>(ring.size()));

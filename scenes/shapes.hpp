@@ -8,6 +8,7 @@
 
 #include "lodlab/core/body.hpp"
 #include "lodlab/core/builder/tree_report.hpp"
+#include "lodlab/core/solvers.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/io/tree_cache.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
@@ -137,7 +138,8 @@ template <int Dim>
 using Shape = typename Shapes<Dim>::Shape;
 
 /// A hash of the trees that the builders make of a few shapes (tests/scenes/builders.cpp computes
-/// it and fails when it is another one): trees in the cache are of this version of the builders.
+/// it and fails when it is another one): trees in the cache are of this version of the builders,
+/// compiled with these releases of the libraries that they compute with.
 inline constexpr std::string_view builders_version =
     "4e2403dbd2a123d886b0b552829506a190872538a4e4cdbd67f0fa1b33ba8fdf";
 
@@ -148,6 +150,7 @@ template <int Dim>
                                            const io::TreeCache& cache) {
     io::Sha256 key;
     key.add(builders_version);
+    key.add(std::string_view(lod::solvers_release()));
     key.add(Dim);
     Shapes<Dim>::identify(shape, settings, key);
     return cache.tree<Dim>(key.hexadecimal(), [&] { return Shapes<Dim>::build(shape, settings); });
