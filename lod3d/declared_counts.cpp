@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -80,6 +79,14 @@ double number(std::string_view word) {
     return result.ec == std::errc() ? value : 0;
 }
 
+/// Of four bytes, the least first, whatever the order of this machine.
+std::uint32_t number_at(const std::string& bytes, std::size_t place) {
+    std::uint32_t value = 0;
+    for (std::size_t i = 4; i-- > 0;)
+        value = value << 8 | static_cast<unsigned char>(bytes[place + i]);
+    return value;
+}
+
 void check_off(const File& file) {
     const std::string head = file.read(0, most_header);
     const auto found = words(head, 8);
@@ -96,8 +103,7 @@ void check_stl(const File& file) {
     constexpr std::uint64_t header = 84;
     if (file.size < header) return;
     const std::string head = file.read(0, header);
-    std::uint32_t count = 0;
-    std::memcpy(&count, head.data() + 80, 4);
+    const std::uint32_t count = number_at(head, 80);
     const bool fits = header + 50ull * count == file.size;
     if (!fits && head.starts_with("solid")) return;  // text
     file.check_promise(count, 50, "triangles");
@@ -166,8 +172,7 @@ std::string gltf_text(const File& file) {
     const std::string head = file.read(0, 20);
     if (!head.starts_with("glTF")) return file.read(0, file.size);
     if (head.size() < 20) file.refuse("ends within its header");
-    std::uint32_t length = 0;
-    std::memcpy(&length, head.data() + 12, 4);
+    const std::uint32_t length = number_at(head, 12);
     file.check_promise(length, 1, "bytes of JSON");
     return file.read(20, length);
 }
