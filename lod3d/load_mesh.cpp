@@ -29,9 +29,13 @@ namespace fs = std::filesystem;
 // ---- in the child ----
 
 /// Opens files of one folder, and of those below it, only.
-class FolderOnly final : public Assimp::DefaultIOSystem {
+class FolderOnly final : public Assimp::IOSystem {
   public:
     explicit FolderOnly(const fs::path& folder) : folder_(fs::weakly_canonical(folder)) {}
+
+    [[nodiscard]] bool Exists(const char* file) const override { return files_.Exists(file); }
+    [[nodiscard]] char getOsSeparator() const override { return files_.getOsSeparator(); }
+    void Close(Assimp::IOStream* stream) override { files_.Close(stream); }
 
     Assimp::IOStream* Open(const char* file, const char* mode) override {
         const fs::path path = fs::weakly_canonical(file);
@@ -39,11 +43,12 @@ class FolderOnly final : public Assimp::DefaultIOSystem {
         if (differ.first != folder_.end()) return nullptr;
         std::error_code error;
         if (!fs::is_regular_file(path, error)) return nullptr;
-        return DefaultIOSystem::Open(file, mode);
+        return files_.Open(file, mode);
     }
 
   private:
     fs::path folder_;
+    Assimp::DefaultIOSystem files_;
 };
 
 /// Leaves only the importers that read the ending, so that none is chosen by guessing.
