@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "lodlab/core/walk_pairs.hpp"
 #include "lodlab/lod3d/solid.hpp"
 

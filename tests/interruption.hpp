@@ -5,6 +5,7 @@
 // What differs between the two, the shapes and the oracle, their tests hand over.
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <set>
 #include <string>
