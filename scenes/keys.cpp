@@ -74,13 +74,11 @@ std::string text(const TomlEntry& entry) {
     return *value;
 }
 
-/// A SHA-256 in hexadecimal digits.
-std::string digest(const TomlEntry& entry) {
-    const std::string digits = text(entry);
+/// Of a SHA-256 in hexadecimal.
+void check_digest(const TomlEntry& entry, std::string_view digits) {
     const auto is_digit = [](char c) { return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f'); };
     if (digits.size() != 64 || !std::all_of(digits.begin(), digits.end(), is_digit))
         refuse(entry, "must be 64 digits 0 to f, as sha256sum prints them");
-    return digits;
 }
 
 bool truth(const TomlEntry& entry) {
@@ -201,7 +199,7 @@ const Key<BodySpec> body_table[] = {
     {"name", "", "body N", [](const E& e, BodySpec& b, Reading&) { b.name = text(e); }},
     {"shape", "", "required", [](const E& e, BodySpec& b, Reading&) { b.shape = text(e); }},
     {"size", "m", "see there", [](const E& e, BodySpec& b, Reading&) { b.size = number(e, 1e-6, most_metres); }},
-    {"sha256", "", "any file", [](const E& e, BodySpec& b, Reading&) { b.sha256 = digest(e); }},
+    {"sha256", "", "any file", [](const E& e, BodySpec& b, Reading&) { b.sha256 = text(e); check_digest(e, b.sha256); }},
     {"fill", "", "false", [](const E& e, BodySpec& b, Reading& r) { check_in_space(e, r); b.fill = truth(e); }},
     {"density", "kg/m^2, kg/m^3", "the scene's", [](const E& e, BodySpec& b, Reading&) { b.density = mass(e); }},
     {"mass", "kg", "density x measure", [](const E& e, BodySpec& b, Reading&) { b.mass = mass(e); }},
