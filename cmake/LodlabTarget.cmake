@@ -11,6 +11,9 @@ target_compile_options(lodlab_warnings INTERFACE
 
 # Every library's headers are included as <lodlab/NAME/header.hpp>, here and where they are installed.
 set(lodlab_includes ${PROJECT_BINARY_DIR}/include)
+if(POLICY CMP0205)  # where links are not allowed, folders are copied with all that is in them
+  cmake_policy(SET CMP0205 NEW)
+endif()
 file(MAKE_DIRECTORY ${lodlab_includes}/lodlab)
 
 # lodlab_library(NAME sources...): a library, static unless BUILD_SHARED_LIBS.
