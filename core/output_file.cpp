@@ -1,13 +1,19 @@
 #include "lodlab/core/output_file.hpp"
 
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <system_error>
+#if defined(_WIN32)
+#include <io.h>
+#include <sys/stat.h>
+#endif
 
 #include "lodlab/core/error.hpp"
 
@@ -19,7 +25,9 @@ constexpr int most_names = 100;
 std::string mend(int error_number) {
     switch (error_number) {
         case ENOSPC:
+#if defined(EDQUOT)
         case EDQUOT:
+#endif
             return "free some space or choose another disk";
         case EACCES:
         case EPERM:
@@ -33,6 +41,42 @@ std::string mend(int error_number) {
     }
 }
 
+#if defined(_WIN32)
+int open_new(const std::filesystem::path& path) {
+    return ::_wopen(path.c_str(), _O_RDWR | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT,
+                    _S_IREAD | _S_IWRITE);
+}
+
+std::ptrdiff_t write_at(int descriptor, const char* bytes, std::size_t count,
+                        std::size_t position) {
+    constexpr std::size_t most_bytes = 1u << 30;
+    if (::_lseeki64(descriptor, static_cast<long long>(position), SEEK_SET) < 0) return -1;
+    return ::_write(descriptor, bytes, static_cast<unsigned>(std::min(count, most_bytes)));
+}
+
+int flush(int descriptor) {
+    return ::_commit(descriptor);
+}
+#else
+int open_new(const std::filesystem::path& path) {
+    return ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+std::ptrdiff_t write_at(int descriptor, const char* bytes, std::size_t count,
+                        std::size_t position) {
+    return ::pwrite(descriptor, bytes, count, static_cast<off_t>(position));
+}
+
+int flush(int descriptor) {
+    return ::fsync(descriptor);
+}
+#endif
+
+void remove_quietly(const std::filesystem::path& path) {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+}
+
 }  // namespace
 
 OutputFile::OutputFile(std::filesystem::path final_path) : final_(std::move(final_path)) {
@@ -40,7 +84,7 @@ OutputFile::OutputFile(std::filesystem::path final_path) : final_(std::move(fina
     for (int attempt = 0; attempt < most_names && descriptor_ < 0; ++attempt) {
         temporary_ = final_;
         temporary_ += ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-        descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        descriptor_ = open_new(temporary_);
         if (descriptor_ < 0 && errno != EEXIST) fail(errno);
     }
     if (descriptor_ < 0) fail(EEXIST);
@@ -49,13 +93,13 @@ OutputFile::OutputFile(std::filesystem::path final_path) : final_(std::move(fina
 OutputFile::~OutputFile() {
     if (descriptor_ < 0) return;
     ::close(descriptor_);
-    ::unlink(temporary_.c_str());
+    remove_quietly(temporary_);
 }
 
 void OutputFile::write(const void* bytes, std::size_t count) {
     const char* next = static_cast<const char*>(bytes);
     while (count > 0) {
-        const ssize_t written = ::pwrite(descriptor_, next, count, static_cast<off_t>(position_));
+        const std::ptrdiff_t written = write_at(descriptor_, next, count, position_);
         if (written < 0 && errno == EINTR) continue;
         if (written <= 0) fail(written < 0 ? errno : ENOSPC);
         next += written;
@@ -71,18 +115,19 @@ void OutputFile::seek(std::size_t position) {
 
 void OutputFile::commit() {
     // A pipe or a device cannot be synchronised; a full disk says so here at the latest.
-    if (::fsync(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
+    if (flush(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
     if (::close(descriptor_) != 0) {
         descriptor_ = -1;
         const int why = errno;
-        ::unlink(temporary_.c_str());
+        remove_quietly(temporary_);
         fail(why);
     }
     descriptor_ = -1;
-    if (::rename(temporary_.c_str(), final_.c_str()) != 0) {
-        const int why = errno;
-        ::unlink(temporary_.c_str());
-        fail(why);
+    std::error_code error;
+    std::filesystem::rename(temporary_, final_, error);
+    if (error) {
+        remove_quietly(temporary_);
+        fail(error.default_error_condition().value());
     }
 }
 
@@ -99,14 +144,15 @@ void write_text_file(const std::filesystem::path& path, std::string_view text) {
 }
 
 std::string read_text_file(const std::filesystem::path& path, std::size_t most_bytes) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0)
-        throw Error(ErrorKind::input_refused, "cannot read " + path.string() + ": " +
-                                                  std::strerror(errno) + "; check the name");
-    if (!S_ISREG(status.st_mode))
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    const std::uintmax_t bytes = is_regular_file(status) ? file_size(path, error) : 0;
+    if (error)
+        throw Error(ErrorKind::input_refused,
+                    "cannot read " + path.string() + ": " + error.message() + "; check the name");
+    if (!is_regular_file(status))
         throw Error(ErrorKind::input_refused,
                     "cannot read " + path.string() + ": not a regular file; name a file");
-    const auto bytes = static_cast<std::size_t>(status.st_size);
     if (bytes > most_bytes)
         throw Error(ErrorKind::limit_exceeded, "cannot read " + path.string() + ": " +
                                                    std::to_string(bytes) + " bytes, the limit is " +
