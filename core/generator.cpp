@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lodlab/core/error.hpp"
+#include "lodlab/core/from_chars.hpp"
 
 namespace lod {
 namespace {
@@ -22,7 +23,7 @@ double parse_value(std::string_view text, std::string_view spec, const std::stri
     };
     double value = 0;
     const char* end = text.data() + text.size();
-    const auto [stop, failure] = std::from_chars(text.data(), end, value);
+    const auto [stop, failure] = from_chars(text.data(), end, value);
     if (failure != std::errc{} || stop != end)
         throw Error(ErrorKind::usage, about() + "write numbers, as in " + usage);
     const bool in_range = value >= parameter.least && value <= parameter.most;

@@ -1,9 +1,9 @@
 #include "lodlab/lod2d/svg_text.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
+#include "lodlab/core/from_chars.hpp"
 #include "lodlab/core/trigonometry.hpp"
 
 namespace lod2d {
@@ -91,7 +91,7 @@ double SvgReader::number() {
     if (first >= text_.size() || !is_digit(text_[first])) fail("a number");
     double value = 0;
     const auto [end, failure] =
-        std::from_chars(text_.data() + digits, text_.data() + text_.size(), value);
+        lod::from_chars(text_.data() + digits, text_.data() + text_.size(), value);
     if (failure != std::errc{}) fail("a number within double's range");
     const bool negative = peek() == '-';
     place_ = static_cast<std::size_t>(end - text_.data());

@@ -1,13 +1,13 @@
 // What the headers of mesh files promise, against what the files can hold.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string_view>
 #include <vector>
 
 #include "lodlab/core/error.hpp"
+#include "lodlab/core/from_chars.hpp"
 #include "lodlab/lod3d/import_limits.hpp"
 
 namespace lod3d {
@@ -75,7 +75,7 @@ std::vector<std::string_view> words(std::string_view text, std::size_t most) {
 
 double number(std::string_view word) {
     double value = 0;
-    const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto result = lod::from_chars(word.data(), word.data() + word.size(), value);
     return result.ec == std::errc() ? value : 0;
 }
 
