@@ -80,7 +80,8 @@ void remove_quietly(const std::filesystem::path& path) {
 }  // namespace
 
 OutputFile::OutputFile(std::filesystem::path final_path) : final_(std::move(final_path)) {
-    if (std::filesystem::is_directory(final_)) fail(EISDIR);
+    std::error_code ignored;  // opening a file there says what is wrong
+    if (std::filesystem::is_directory(final_, ignored)) fail(EISDIR);
     for (int attempt = 0; attempt < most_names && descriptor_ < 0; ++attempt) {
         temporary_ = final_;
         temporary_ += ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
