@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <random>
+#include <string>
 
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
@@ -40,7 +42,9 @@ void add_scene(const std::string& name, const scenes::Scene& scene, Report& repo
     const auto setup = scenes::set_up<Dim>(scene);
     const auto run = run_of<Dim>(scene, setup);
     report.add("scene " + name, run.state_hash);
-    const auto path = std::filesystem::temp_directory_path() / ("lodlab_hashed_" + name + ".json");
+    // Several of these programs may run at once.
+    const std::string own = std::to_string(std::random_device{}());
+    const auto path = std::filesystem::temp_directory_path() / ("lodlab_" + own + name + ".json");
     scenes::write_trace<Dim>(path, name, setup.bodies, run);
     report.add_text("scene " + name + ", its trace",
                     lod::read_text_file(path, std::size_t{1} << 30));
