@@ -22,7 +22,7 @@ import tempfile
 FEW = [
     ["-march=x86-64-v3", "-O2"],
     ["-march=native", "-O3", "-ffp-contract=fast"],
-    ["-DEIGEN_MAX_ALIGN_BYTES=64", "-O1", "-std=c++23"],
+    ["-DEIGEN_MAX_ALIGN_BYTES=64", "-O1", "-std=c++2b"],
 ]
 ALL = [
     ["-march=x86-64-v2"],
@@ -129,7 +129,7 @@ def main():
     flag_sets = FEW
     if arguments.all:
         flag_sets = [flags + ["-O2", standard, *sanitizer] for flags in ALL
-                     for standard in ("-std=c++20", "-std=c++23")
+                     for standard in ("-std=c++20", "-std=c++2b")
                      for sanitizer in ([], ["-fsanitize=address"])]
     skipped = [flags for flags in flag_sets if not runs_here(flags)]
     flag_sets = [flags for flags in flag_sets if flags not in skipped]
