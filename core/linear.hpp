@@ -19,7 +19,6 @@ namespace lod {
 template <int Rows, int Cols>
 struct FixedMatrix {
     static_assert(Rows > 0 && Cols > 0);
-    static constexpr int size_at_compile_time = Rows * Cols;
     static constexpr bool is_vector = Cols == 1;
 
     double entry[Rows * Cols];  ///< (row, column) stands at row + Rows * column
@@ -250,11 +249,6 @@ struct FixedMatrix {
         double most = entry[0];
         for (int i = 1; i < Rows * Cols; ++i) most = most_of(most, entry[i]);
         return most;
-    }
-    [[nodiscard]] LOD_INLINE constexpr double minCoeff() const {
-        double least = entry[0];
-        for (int i = 1; i < Rows * Cols; ++i) least = least_of(least, entry[i]);
-        return least;
     }
     /// Where the largest number stands, the first of equal ones.
     [[nodiscard]] LOD_INLINE constexpr int most_place() const requires(is_vector) {

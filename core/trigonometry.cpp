@@ -57,7 +57,7 @@ double short_arc_tangent(double t) {
 double direction_angle(double y, double x) {
     const double along = std::abs(x);
     const double across = std::abs(y);
-    if (!std::isfinite(along + across) && !(std::isfinite(along) && std::isfinite(across)))
+    if (!std::isfinite(along) || !std::isfinite(across))
         return std::numeric_limits<double>::quiet_NaN();
     double angle = 0;
     if (across > along)
