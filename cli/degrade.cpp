@@ -100,7 +100,7 @@ measure::Plan plan_of(const Options& options) {
     plan.impacts = options.impacts.value_or(usual_impacts);
     plan.ensemble.seed = options.seed;
     plan.models = choices_in<lod::ContactModel>(
-        options.models.empty() ? "centre_line,node_normal" : options.models, "--models",
+        options.models.empty() ? "centre_line,node_normal,hull" : options.models, "--models",
         scenes::contact_model_names);
     plan.responses =
         choices_in<lod::Response>(options.responses.empty() ? "net" : options.responses,

@@ -49,7 +49,8 @@ Json level_json(const lod::LevelReport& level) {
             {"mean_protrusion_fraction", level.mean_protrusion_fraction},
             {"measure_ratio", level.measure_ratio},
             {"uncovered", level.uncovered},
-            {"certified", level.certified}};
+            {"certified", level.certified},
+            {"hulls_certified", level.hulls_certified}};
 }
 
 template <int Dim>

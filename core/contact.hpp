@@ -24,6 +24,7 @@ enum class PointModel {
 enum class ContactModel {
     centre_line,  ///< from A's centre to B's (paper, eq. 4)
     node_normal,  ///< the surfaces that the two nodes stand for, as far as each is flat
+    hull,         ///< the convex hulls of what the two nodes stand for
 };
 
 /// Models the contact of two balls (paper, eqs. 4 and 5). Balls of different levels may meet.

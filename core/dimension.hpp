@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 #include "lodlab/core/linear.hpp"
@@ -50,6 +51,45 @@ struct Space {
         } else {
             return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
         }
+    }
+
+    /// Whether a facet's last corner is joined to its first: a polygon's is, a segment's is not.
+    static constexpr bool facets_close = Dim == 3;
+
+    /// The same, of any number of corners: a segment's length, or twice a flat polygon's area.
+    static Vector area_vector(std::span<const Vector> corners) {
+        if constexpr (Dim == 2) {
+            return facet_normal({corners.front(), corners.back()});
+        } else {
+            Vector area = Vector::Zero();
+            for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+                area += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+            return area;
+        }
+    }
+
+    /// The corners of a piece of the plane (or line) across a unit normal about a point of it.
+    static std::array<Vector, 2 * Dim - 2> patch(const Vector& foot, const Vector& normal,
+                                                 double reach) {
+        if constexpr (Dim == 2) {
+            const Vector u(-normal.y(), normal.x());
+            return {foot - reach * u, foot + reach * u};
+        } else {
+            const Vector u = normal.unitOrthogonal();
+            const Vector v = normal.cross(u);
+            return {foot - reach * u - reach * v, foot + reach * u - reach * v,
+                    foot + reach * u + reach * v, foot - reach * u + reach * v};
+        }
+    }
+
+    /// Where the border of a facet with this outward normal ends at the edge that runs `along`: in
+    /// space across the edge and in the plane of the facet, in the plane along the segment. Points
+    /// outwards where corners run anticlockwise seen from the normal's tip.
+    static Vector side_normal(const Vector& along, const Vector& normal) {
+        if constexpr (Dim == 2)
+            return along;
+        else
+            return along.cross(normal);
     }
 
     static Orientation unturned() {

@@ -16,15 +16,33 @@ template <int Dim>
 void model_front(std::span<const Body<Dim>> bodies, const FrameSettings& settings, std::size_t p,
                  FrameStorage<Dim>& storage) {
     const auto [a, b] = storage.candidates[p];
-    const Vector<Dim> between =
-        bodies[static_cast<std::size_t>(b)].position - bodies[static_cast<std::size_t>(a)].position;
-    storage.front_contacts.model(storage.world_S[static_cast<std::size_t>(a)],
-                                 storage.world_S[static_cast<std::size_t>(b)],
-                                 storage.fronts[p].pairs, settings.contact_model,
-                                 settings.point_model, between, storage.contacts);
-    for (const auto& [nodes, contact] : storage.contacts) {
-        storage.record.node_pairs.push_back(nodes);
-        storage.record.impacts.push_back({a, b, static_cast<std::int32_t>(p), contact});
+    const auto at_a = static_cast<std::size_t>(a);
+    const auto at_b = static_cast<std::size_t>(b);
+    storage.front_contacts.model(
+        storage.world_S[at_a], storage.world_S[at_b], storage.fronts[p].pairs,
+        settings.contact_model, settings.point_model,
+        pair_motion(bodies[at_a], bodies[at_b], settings.time_step), storage.front);
+    FrameRecord<Dim>& record = storage.record;
+    PairRecord& result = record.pairs[p];
+    for (const auto& [contact, nodes] : storage.front.contacts) {
+        record.impacts.push_back({a, b, static_cast<std::int32_t>(p), contact});
+        record.contact_nodes.push_back({result.nodes.first + nodes.first, nodes.count});
+    }
+    result.nodes.count = static_cast<std::int32_t>(storage.front.node_pairs.size());
+    record.node_pairs.insert(record.node_pairs.end(), storage.front.node_pairs.begin(),
+                             storage.front.node_pairs.end());
+    if (result.nodes.count == 0) result.verdict = Verdict::apart;
+}
+
+/// The contacts of a pair whose true shapes were asked.
+template <int Dim>
+void take_exact(const FinestPair<Dim>& finest, FrameRecord<Dim>& record) {
+    PairRecord& result = record.pairs[static_cast<std::size_t>(finest.pair)];
+    result.finest = finest.backtracked ? Finest::backtrack : Finest::exact;
+    result.impact_time = finest.touch.time;
+    for (const Contact<Dim>& contact : finest.contacts) {
+        record.impacts.push_back({result.bodies.a, result.bodies.b, finest.pair, contact});
+        record.contact_nodes.push_back({result.nodes.first, 0});
     }
 }
 
@@ -36,26 +54,24 @@ void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& sett
     record.pairs.clear();
     record.node_pairs.clear();
     record.impacts.clear();
+    record.contact_nodes.clear();
     auto finest = storage.finest.begin();
     for (std::size_t p = 0; p < storage.candidates.size(); ++p) {
-        const CandidatePair pair = storage.candidates[p];
         const Front& front = storage.fronts[p];
-        const auto number = static_cast<std::int32_t>(p);
         const auto first = static_cast<std::int32_t>(record.impacts.size());
-        record.pairs.push_back({pair, front.level, front.verdict, front.tests, first});
-        PairRecord& result = record.pairs.back();
-        if (finest != storage.finest.end() && finest->pair == number) {
-            result.finest = finest->backtracked ? Finest::backtrack : Finest::exact;
-            result.impact_time = finest->touch.time;
-            for (const Contact<Dim>& contact : finest->contacts) {
-                record.node_pairs.push_back({-1, -1});
-                record.impacts.push_back({pair.a, pair.b, number, contact});
-            }
-            ++finest;
-        } else {
+        const auto first_node = static_cast<std::int32_t>(record.node_pairs.size());
+        record.pairs.push_back({storage.candidates[p],
+                                front.level,
+                                front.verdict,
+                                front.tests,
+                                first,
+                                0,
+                                {first_node, 0}});
+        if (finest != storage.finest.end() && finest->pair == static_cast<std::int32_t>(p))
+            take_exact(*finest++, record);
+        else
             model_front(bodies, settings, p, storage);
-        }
-        result.contact_count = static_cast<std::int32_t>(record.impacts.size()) - first;
+        record.pairs[p].contact_count = static_cast<std::int32_t>(record.impacts.size()) - first;
     }
 }
 
@@ -91,8 +107,9 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
     prioritise<Dim>(settings.priority, bodies, storage.candidates, storage.order, storage.scratch);
     const std::uint64_t spent_before = budget.spent();
     storage.record.interrupted =
-        refine_all<Dim>(storage.candidates, storage.order, settings.deepest_level, storage.world_S,
-                        budget, storage.fronts, storage.scratch);
+        refine_all<Dim>(storage.candidates, storage.order,
+                        {settings.deepest_level, settings.contact_model == ContactModel::hull},
+                        storage.world_S, budget, storage.fronts, storage.scratch);
     storage.finest.clear();
     if (!storage.record.interrupted)
         storage.record.interrupted =
@@ -101,6 +118,7 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
     storage.record.tests = budget.spent() - spent_before;
     model_contacts(bodies, settings, storage);
     storage.record.impulses.assign(storage.record.impacts.size(), 0.0);
+    storage.record.response = {};
     storage.record.energy_before = kinetic_energy(bodies);
     storage.record.energy_after = storage.record.energy_before;
     return storage.record;
@@ -112,7 +130,8 @@ const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings
     FrameRecord<Dim>& record = storage.record;
     detect<Dim>(bodies, settings, budget, storage);
     rewind(storage, bodies);
-    storage.resolver.resolve(settings.response, record.impacts, bodies, record.impulses);
+    record.response =
+        storage.resolver.resolve(settings.response, record.impacts, bodies, record.impulses);
     record.energy_after = kinetic_energy<Dim>(bodies);
     catch_up(storage, bodies);
     integrate(bodies, settings.time_step);

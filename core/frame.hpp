@@ -14,21 +14,22 @@ namespace lod {
 struct FrameSettings {
     double time_step = 1.0 / 120;  ///< [s], > 0
     int deepest_level = 1000;      ///< refinement stops after this level
-    ContactModel contact_model = ContactModel::node_normal;
+    ContactModel contact_model = ContactModel::hull;
     PointModel point_model = PointModel::radius_ratio;
     Response response = Response::net;
     Priority priority = Priority::closing_speed;
     FinestDetail finest = {};  ///< beyond the leaves; a warm frame allocates nothing without it
 };
 
-/// What a frame found of one candidate pair; the lists it points into are the record's.
+/// What a frame found of one candidate pair; the lists that it points into are the record's.
 struct PairRecord {
     CandidatePair bodies;
     int level = 0;  ///< last finished level
     Verdict verdict = Verdict::possible;
     std::uint64_t tests = 0;
-    std::int32_t first_contact = 0;  ///< into node_pairs, impacts and impulses
+    std::int32_t first_contact = 0;  ///< into impacts, impulses and contact_nodes
     std::int32_t contact_count = 0;
+    Range nodes;  ///< into node_pairs: the overlapping nodes that nothing proved apart
     /// Beyond leaves: `level` is the leaves', but the verdict and the contacts are those of the
     /// true shapes.
     Finest finest = Finest::leaves;
@@ -40,16 +41,24 @@ struct PairRecord {
 template <int Dim>
 struct FrameRecord {
     std::vector<PairRecord> pairs;     ///< every candidate pair of the broad phase
-    std::vector<NodePair> node_pairs;  ///< the overlapping nodes behind each contact; -1, -1 behind
-                                       ///< an exact one
-    std::vector<Impact<Dim>> impacts;  ///< same order; `pair` indexes `pairs`
+    std::vector<NodePair> node_pairs;  ///< pair by pair, patch by patch
+    std::vector<Impact<Dim>> impacts;  ///< the contacts, pair by pair; `pair` indexes `pairs`
+    std::vector<Range> contact_nodes;  ///< same order; into node_pairs: the nodes behind each
+                                       ///< contact, none behind an exact one
     std::vector<double> impulses;      ///< same order [N s]
     /// Node tests of the frame. A frame that ran on a clock gives the same bits when it is played
     /// again with Budget::node_tests(tests).
     std::uint64_t tests = 0;
     bool interrupted = false;  ///< the budget ended before the finest level
+    ResponseReport response;   ///< of `advance`
     double energy_before = 0;  ///< kinetic, before the response [J]
     double energy_after = 0;   ///< kinetic, after it [J]
+
+    /// The node pairs of a pair or behind a contact.
+    [[nodiscard]] std::span<const NodePair> nodes_of(const Range& range) const {
+        return std::span(node_pairs)
+            .subspan(static_cast<std::size_t>(range.first), static_cast<std::size_t>(range.count));
+    }
 };
 
 /// Storage that frames reuse: a warm frame allocates nothing.
@@ -63,7 +72,7 @@ struct FrameStorage {
     std::vector<FinestPair<Dim>> finest;  ///< in the order of the candidates
     ScheduleScratch scratch;
     FrontContacts<Dim> front_contacts;
-    std::vector<NodeContact<Dim>> contacts;  ///< of one front
+    FrontModel<Dim> front;  ///< of one pair
     Resolver<Dim> resolver;
     FrameRecord<Dim> record;
 };

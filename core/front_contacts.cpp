@@ -1,6 +1,7 @@
 #include "lodlab/core/front_contacts.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace lod {
@@ -19,6 +20,22 @@ std::optional<Contact<Dim>> patch_contact(const Sphere<Dim>& a, const Side& side
         return side.nodes > 0 ? Vector<Dim>(side.normal / side.nodes) : side.normal;
     };
     return model_surface_contact<Dim>({a, mean(side_a)}, {b, mean(side_b)}, point_model, fallback);
+}
+
+/// Two nodes whose balls fit better than their hulls touch as balls do.
+template <int Dim>
+std::optional<Manifold<Dim>> meet_balls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                        const NodePair& nodes, const PairMotion<Dim>& motion) {
+    const auto contact =
+        model_contact<Dim>(a.sphere(nodes.a), b.sphere(nodes.b), PointModel::radius_ratio,
+                           motion.centre_b - motion.centre_a);
+    if (!contact) return std::nullopt;
+    Manifold<Dim> manifold;
+    manifold.normal = contact->normal;
+    manifold.points[0] = contact->point - a.position();
+    manifold.depths[0] = contact->depth;
+    manifold.count = 1;
+    return manifold;
 }
 
 }  // namespace
@@ -68,13 +85,63 @@ void FrontContacts<Dim>::find_patches(const PosedTree<Dim>& a, const PosedTree<D
     }
 }
 
+/// Every pair of nodes whose hulls meet is a patch.
 template <int Dim>
-void FrontContacts<Dim>::model(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                               std::span<const NodePair> pairs, ContactModel contact_model,
-                               PointModel point_model, const Vector<Dim>& fallback,
-                               std::vector<NodeContact<Dim>>& contacts) {
-    contacts.clear();
-    const bool by_surface = contact_model == ContactModel::node_normal;
+void FrontContacts<Dim>::model_hulls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                     std::span<const NodePair> pairs, const PairMotion<Dim>& motion,
+                                     FrontModel<Dim>& found) {
+    const NodeHulls<Dim>& hulls_a = a.tree().hulls;
+    const NodeHulls<Dim>& hulls_b = b.tree().hulls;
+    spoken_.clear();
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        spoken_.push_back(
+            {{hulls_a.best(pairs[i].a), hulls_b.best(pairs[i].b)}, static_cast<std::int32_t>(i)});
+    std::ranges::sort(spoken_, {}, [](const Spoken& spoken) {
+        return std::tuple(spoken.best.a, spoken.best.b, spoken.pair);
+    });
+    touches_.clear();
+    const double slack = a.rounding() + b.rounding();
+    for (std::size_t first = 0, end = 0; first < spoken_.size(); first = end) {
+        const NodePair best = spoken_[first].best;
+        while (end < spoken_.size() && spoken_[end].best == best) ++end;
+        const bool round = hulls_a.is_round(best.a) && hulls_b.is_round(best.b);
+        hull_a_.pose(hulls_a.of(best.a), a.rotation(), motion.centre_a);
+        hull_b_.pose(hulls_b.of(best.b), b.rotation(), motion.centre_b);
+        const std::optional<Manifold<Dim>> manifold =
+            round ? meet_balls(a, b, best, motion) : meet(hull_a_, hull_b_, motion, slack);
+        if (!manifold) continue;
+        const Range nodes{static_cast<std::int32_t>(found.node_pairs.size()),
+                          static_cast<std::int32_t>(end - first)};
+        for (std::size_t i = first; i < end; ++i)
+            found.node_pairs.push_back(pairs[at(spoken_[i].pair)]);
+        if (!manifold->parts(motion)) touches_.push_back({*manifold, nodes});
+    }
+    keep_deepest();
+    for (const auto& [manifold, nodes] : touches_)
+        for (std::size_t k = 0; k < manifold.count; ++k)
+            found.contacts.push_back(
+                {{a.position() + manifold.points[k], manifold.normal, manifold.depths[k]}, nodes});
+}
+
+/// Of more than most_patches the deepest, in their order; ties go to the first.
+template <int Dim>
+void FrontContacts<Dim>::keep_deepest() {
+    if (touches_.size() <= most_patches) return;
+    std::ranges::sort(touches_, [](const Touch& x, const Touch& y) {
+        const double depth_x = x.manifold.depth();
+        const double depth_y = y.manifold.depth();
+        return depth_x != depth_y ? depth_x > depth_y : x.nodes.first < y.nodes.first;
+    });
+    touches_.resize(most_patches);
+    std::ranges::sort(touches_, {}, [](const Touch& touch) { return touch.nodes.first; });
+}
+
+template <int Dim>
+void FrontContacts<Dim>::model_balls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                     std::span<const NodePair> pairs, ContactModel contact_model,
+                                     PointModel point_model, const Vector<Dim>& fallback,
+                                     FrontModel<Dim>& found) {
+    const bool by_surface = contact_model != ContactModel::centre_line;
     if (by_surface) find_patches(a, b, pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Sphere<Dim> ball_a = a.sphere(pairs[i].a);
@@ -86,34 +153,56 @@ void FrontContacts<Dim>::model(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
         } else {
             contact = model_contact<Dim>(ball_a, ball_b, point_model, fallback);
         }
-        if (contact) contacts.push_back({pairs[i], *contact});
+        if (!contact) continue;
+        const Range nodes{static_cast<std::int32_t>(found.node_pairs.size()), 1};
+        found.node_pairs.push_back(pairs[i]);
+        found.contacts.push_back({*contact, nodes});
     }
+}
+
+template <int Dim>
+void FrontContacts<Dim>::model(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                               std::span<const NodePair> pairs, ContactModel contact_model,
+                               PointModel point_model, const PairMotion<Dim>& motion,
+                               FrontModel<Dim>& found) {
+    found.node_pairs.clear();
+    found.contacts.clear();
+    if (contact_model == ContactModel::hull && a.tree().has_hulls() && b.tree().has_hulls())
+        model_hulls(a, b, pairs, motion, found);
+    else
+        model_balls(a, b, pairs, contact_model, point_model, motion.centre_b - motion.centre_a,
+                    found);
 }
 
 template <int Dim>
 std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>& a, const Body<Dim>& b,
                                             const Front& front, ContactModel contact_model,
-                                            PointModel point_model) {
+                                            PointModel point_model, double time_step) {
     PosedTree<Dim> world_a;
     PosedTree<Dim> world_b;
     world_a.pose(a);
     world_b.pose(b);
+    // And all above, one of which may speak for them.
+    const auto carry = [](const Body<Dim>& body, std::int32_t node, PosedTree<Dim>& world) {
+        for (; node > 0; node = body.tree->parent[at(node)])
+            world.carry_children(body.tree->parent[at(node)]);
+    };
     for (const NodePair& nodes : front.pairs) {
-        if (nodes.a > 0) world_a.carry_children(a.tree->parent[at(nodes.a)]);
-        if (nodes.b > 0) world_b.carry_children(b.tree->parent[at(nodes.b)]);
+        carry(a, nodes.a, world_a);
+        carry(b, nodes.b, world_b);
     }
-    std::vector<NodeContact<Dim>> modelled;
+    FrontModel<Dim> found;
     FrontContacts<Dim>().model(world_a, world_b, front.pairs, contact_model, point_model,
-                               b.position - a.position, modelled);
+                               pair_motion(a, b, time_step), found);
     std::vector<Contact<Dim>> contacts;
-    for (const NodeContact<Dim>& entry : modelled) contacts.push_back(entry.contact);
+    for (const PatchContact<Dim>& entry : found.contacts) contacts.push_back(entry.contact);
     return contacts;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                 \
-    template class FrontContacts<Dim>;                                                       \
-    template std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>&, const Body<Dim>&, \
-                                                         const Front&, ContactModel, PointModel);
+#define LOD_INSTANTIATE(Dim)                              \
+    template class FrontContacts<Dim>;                    \
+    template std::vector<Contact<Dim>> contacts_of_front( \
+        const Body<Dim>&, const Body<Dim>&, const Front&, ContactModel, PointModel, double);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

@@ -33,6 +33,8 @@ class PosedTree {
         return rotation_ * tree_->mean_normal(node);
     }
 
+    [[nodiscard]] const Matrix<Dim>& rotation() const { return rotation_; }
+    [[nodiscard]] const Vector<Dim>& position() const { return position_; }
     [[nodiscard]] const SphereTree<Dim>& tree() const { return *tree_; }
     /// Bound of all rounding between the pose and the verdict of a distance test, this body's share
     /// [m]: a test adds it to its reach, so that rounding never calls touching bodies apart.

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/impact.hpp"
+#include "lodlab/core/net_impulse.hpp"
 
 namespace lod {
 
@@ -22,23 +22,16 @@ enum class Response {
 };
 
 /// Resolves all contacts of an instant: changes the velocities and spins of the bodies and writes
-/// the total impulse of each contact (>= 0, same order as `impacts`).
-///
-/// `net`: contacts of pairs that share a moving body form an island. Within an island, with the
-/// closing velocities u_i < 0 of the approaching contacts and the coupling A_ik, the direction is
-/// d_i = -u_i / A_ii and the impulse j = s d with s = -(1 + e)(d.u) / (d^T A d), so that kinetic
-/// energy changes by exactly -(1 - e^2)/2 (d.u)^2 / (d^T A d). Repeated while contacts approach
-/// (at most most_net_rounds), then single impulses in turn (at most most_sequential_sweeps): an
-/// elastic pair whose normals face each other within some 45 degrees takes 8 rounds at the very
-/// most, an inelastic one nears its end geometrically. Contacts that contradict each other, as
-/// where two bodies hook into each other, may go on approaching after that.
-/// d^T A d is found from the net impulses on the bodies: linear in the contacts.
+/// the total impulse of each contact (>= 0, same order as `impacts`). What `net` does is said at
+/// NetImpulse. The references work island by island, an island being what hangs together by
+/// contacts between moving bodies.
 ///
 /// A resolver keeps its storage: a warm call allocates nothing.
 template <int Dim>
 class Resolver {
   public:
-    static constexpr int most_net_rounds = 32;
+    /// How often `net` asks a pair of bodies at most; what approaches after that waits a frame.
+    static constexpr int most_visits = 32;
     static constexpr int most_sequential_sweeps = 64;
     /// A contact counts as approaching only beyond this share of the largest closing speed that the
     /// island began with.
@@ -48,26 +41,20 @@ class Resolver {
     static constexpr double newton_share = 2e-15;
     static constexpr int most_reflections = 1000;
 
-    void resolve(Response response, std::span<const Impact<Dim>> impacts,
-                 std::span<Body<Dim>> bodies, std::vector<double>& impulses);
-
-    /// The most rounds that one island took in the last call.
-    [[nodiscard]] int rounds() const { return rounds_; }
+    ResponseReport resolve(Response response, std::span<const Impact<Dim>> impacts,
+                           std::span<Body<Dim>> bodies, std::vector<double>& impulses);
 
   private:
     struct Island {
         std::int32_t first = 0;  ///< into order_
         std::int32_t count = 0;
     };
-    struct Push {  ///< net impulse on one body, and the net moment about its centre of mass
-        Vector<Dim> linear;
-        Spin<Dim> angular;
-    };
 
     using Impacts = std::span<const Impact<Dim>>;
     using Bodies = std::span<Body<Dim>>;
     using Impulses = std::vector<double>;
 
+    void resolve_islands(Response response, Impacts impacts, Bodies bodies, Impulses& impulses);
     void find_islands(Impacts impacts, std::span<const Body<Dim>> bodies);
     [[nodiscard]] std::span<const std::int32_t> contacts_of(const Island& island) const {
         return std::span(order_).subspan(static_cast<std::size_t>(island.first),
@@ -75,10 +62,6 @@ class Resolver {
     }
     [[nodiscard]] double fastest_approach(const Island& island, Impacts impacts,
                                           std::span<const Body<Dim>> bodies) const;
-    void resolve_net(const Island& island, double threshold, Impacts impacts, Bodies bodies,
-                     Impulses& impulses);
-    bool net_round(const Island& island, double threshold, Impacts impacts, Bodies bodies,
-                   Impulses& impulses);
     void sequential_sweeps(const Island& island, double threshold, Impacts impacts, Bodies bodies,
                            Impulses& impulses);
     [[nodiscard]] double newton_tolerance(const Island& island, Impacts impacts,
@@ -92,13 +75,11 @@ class Resolver {
     std::vector<std::int32_t> root_;             ///< union-find over bodies
     std::vector<std::int32_t> order_;            ///< contacts, island by island
     std::vector<Island> islands_;
-    std::vector<double> direction_;  ///< d of each contact
-    std::vector<double> target_;     ///< least closing velocity of each contact after the impact
+    std::vector<double> part_;    ///< of each contact: its impulse in one round of reflections
+    std::vector<double> target_;  ///< least closing velocity of each contact after the impact
     std::vector<std::int32_t> violated_;
-    std::vector<Push> push_;             ///< of each body
-    std::vector<std::uint64_t> marked_;  ///< of each body: the last sweep that counted it
-    std::uint64_t mark_ = 0;
-    int rounds_ = 0;
+    NetImpulse<Dim> net_;
+    ResponseReport report_;
 };
 
 extern template class Resolver<2>;

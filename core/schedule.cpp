@@ -37,21 +37,36 @@ void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
 }
 
 template <int Dim>
+int entry_level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, bool by_hulls) {
+    if (!by_hulls || !a.tree().has_hulls() || !b.tree().has_hulls()) return 0;
+    return std::max(a.tree().hulls.entry_level, b.tree().hulls.entry_level);
+}
+
+template <int Dim>
 bool refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
-                int deepest_level, std::span<PosedTree<Dim>> world_S, Budget& budget,
+                const Levels& levels, std::span<PosedTree<Dim>> world_S, Budget& budget,
                 std::vector<Front>& fronts, ScheduleScratch& scratch) {
     if (fronts.size() < pairs.size()) fronts.resize(pairs.size());
     std::uint64_t contacts = 0;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         test_roots(world_S[at(pairs[i].a)], world_S[at(pairs[i].b)], fronts[i]);
-        budget.spend(1);
+        const int entry =
+            entry_level(world_S[at(pairs[i].a)], world_S[at(pairs[i].b)], levels.begin_at_entry);
+        Budget enough = Budget::unlimited();
+        while (fronts[i].level < entry && !fronts[i].finest)
+            if (refine(world_S[at(pairs[i].a)], world_S[at(pairs[i].b)], enough, fronts[i],
+                       scratch.level) == Refinement::interrupted)
+                break;
+        budget.spend(fronts[i].tests);
         contacts += fronts[i].pairs.size();
     }
-    for (int level = 1; level <= deepest_level; ++level) {
+    for (int level = 1; level <= levels.deepest; ++level) {
         bool unfinished = false;
         for (std::int32_t i : order) {
             Front& front = fronts[at(i)];
             if (front.finest) continue;
+            unfinished |= front.level >= level;
+            if (front.level >= level) continue;
             budget.reserve_contacts(contacts);
             contacts -= front.pairs.size();
             const Refinement refined =
@@ -69,9 +84,10 @@ bool refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32
 #define LOD_INSTANTIATE(Dim)                                                                       \
     template void prioritise(Priority, std::span<const Body<Dim>>, std::span<const CandidatePair>, \
                              std::vector<std::int32_t>&, ScheduleScratch&);                        \
-    template bool refine_all(std::span<const CandidatePair>, std::span<const std::int32_t>, int,   \
-                             std::span<PosedTree<Dim>>, Budget&, std::vector<Front>&,              \
-                             ScheduleScratch&);
+    template int entry_level(const PosedTree<Dim>&, const PosedTree<Dim>&, bool);                  \
+    template bool refine_all(std::span<const CandidatePair>, std::span<const std::int32_t>,        \
+                             const Levels&, std::span<PosedTree<Dim>>, Budget&,                    \
+                             std::vector<Front>&, ScheduleScratch&);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

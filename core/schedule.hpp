@@ -28,13 +28,26 @@ void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
                 std::span<const CandidatePair> pairs, std::vector<std::int32_t>& order,
                 ScheduleScratch& scratch);
 
-/// The scheduler (section 5.1). Level 0 of every pair is always done. Then level after level, each
-/// pair in the order of priority, until the budget ends, every front is finest, or `deepest_level`
-/// is finished. The time of the response stays reserved: beyond level 0, tests and contacts
-/// together never cost more than the quota. Returns whether the budget cut something short.
+/// To which levels a frame refines.
+struct Levels {
+    int deepest = 1000;           ///< refinement stops after this level
+    bool begin_at_entry = false;  ///< hulls tell of contacts: see refine_all
+};
+
+/// The first level that says something of a pair: 0, or where contacts come from hulls the deeper
+/// of the two bodies' entry levels (NodeHulls::entry_level).
+template <int Dim>
+[[nodiscard]] int entry_level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, bool by_hulls);
+
+/// The scheduler (section 5.1). The entry level of every pair is always done, which is level 0 but
+/// for bodies with hollows; its tests are spent whatever the budget says. Then level after level,
+/// each pair in the order of priority, until the budget ends, every front is finest, or the deepest
+/// level is finished. The time of the response stays reserved: beyond the entry level, tests and
+/// contacts together never cost more than the quota. Returns whether the budget cut something
+/// short.
 template <int Dim>
 bool refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
-                int deepest_level, std::span<PosedTree<Dim>> world_S, Budget& budget,
+                const Levels& levels, std::span<PosedTree<Dim>> world_S, Budget& budget,
                 std::vector<Front>& fronts, ScheduleScratch& scratch);
 
 }  // namespace lod

@@ -29,6 +29,16 @@ struct Hash {
         for (const double number : numbers) add(number);
     }
     void add(const Quaternion& q) { add(q.coeffs()); }
+    template <int Dim>
+    void add(const HullView<Dim>& hull) {
+        for (const Vector<Dim>& corner : hull.corners) add(corner);
+        for (std::size_t face = 0; face < hull.normals.size(); ++face) {
+            for (const std::int32_t corner : hull.loop(face)) add(corner);
+            add(static_cast<std::int32_t>(hull.inner[face]));
+            add(hull.normals[face]);
+            add(hull.offsets[face]);
+        }
+    }
 };
 
 }  // namespace
@@ -55,6 +65,13 @@ std::uint64_t tree_hash(const SphereTree<Dim>& tree) {
     hash.add(tree.child_count);
     for (int node = 0; node < tree.size(); ++node)
         if (!tree.is_leaf(node)) hash.add(tree.first_child[SphereTree<Dim>::index(node)]);
+    if (!tree.has_hulls()) return hash.value;
+    hash.add(static_cast<std::int32_t>(tree.hulls.entry_level));
+    for (int node = 0; node < tree.size(); ++node) {
+        hash.add(static_cast<std::int32_t>(tree.hulls.best(node)));
+        hash.add(static_cast<std::int32_t>(tree.hulls.is_round(node)));
+        hash.add(tree.hulls.of(node));
+    }
     return hash.value;
 }
 

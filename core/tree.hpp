@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/hull.hpp"
 #include "lodlab/core/sphere.hpp"
 
 namespace lod {
@@ -27,12 +28,14 @@ struct SphereTree {
     /// Mean outward unit normal of the surface that the node stands for, body frame. Its length,
     /// the coherence, is 1 on a flat face and near 0 on a corner; zero where a node has no surface.
     std::array<std::vector<double>, Dim> normal;
+    NodeHulls<Dim> hulls;  ///< of each node, or none
     /// Radius of the ball about the body's origin that holds every node [m]; lay_out sets it. It
     /// bounds the rounding of a posed tree.
     double extent = 0;
 
     [[nodiscard]] int size() const { return static_cast<int>(radius.size()); }
     [[nodiscard]] int levels() const { return static_cast<int>(level_begin.size()) - 1; }
+    [[nodiscard]] bool has_hulls() const { return !hulls.empty(); }
     [[nodiscard]] bool is_leaf(int node) const { return child_count[index(node)] == 0; }
     [[nodiscard]] Sphere<Dim> sphere(int node) const;
     [[nodiscard]] Vector<Dim> mean_normal(int node) const;

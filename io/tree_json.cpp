@@ -3,7 +3,10 @@
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <utility>
 
+#include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
 
@@ -13,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* format_name = "lodlab tree";
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 void append(std::string& text, double value) {
     char digits[32];
@@ -31,6 +34,38 @@ void append(std::string& text, const std::array<std::vector<double>, Size>& colu
         append(text, columns[d][row]);
     }
     text += ']';
+}
+
+template <class Items, class Each>
+void append_list(std::string& text, const Items& items, const Each& each) {
+    text += '[';
+    bool first = true;
+    for (const auto& item : items) {
+        if (!std::exchange(first, false)) text += ", ";
+        each(item);
+    }
+    text += ']';
+}
+
+template <int Dim>
+void append(std::string& text, const lod::HullView<Dim>& hull, bool tight, bool round) {
+    text += ", \"hull\": {\"corners\": ";
+    append_list(text, hull.corners, [&](const lod::Vector<Dim>& corner) {
+        append_list(text, corner, [&](double x) { append(text, x); });
+    });
+    text += ", \"faces\": ";
+    std::vector<std::size_t> faces(hull.normals.size());
+    std::iota(faces.begin(), faces.end(), 0u);
+    append_list(text, faces, [&](std::size_t face) {
+        append_list(text, hull.loop(face),
+                    [&](std::int32_t corner) { text += std::to_string(corner); });
+    });
+    std::erase_if(faces, [&](std::size_t face) { return hull.inner[face] == 0; });
+    if (tight) text += ", \"tight\": true";
+    if (round) text += ", \"round\": true";
+    text += ", \"inner\": ";
+    append_list(text, faces, [&](std::size_t face) { text += std::to_string(face); });
+    text += '}';
 }
 
 /// Reads one tree; knows where it is, for errors.
@@ -117,6 +152,71 @@ class Reader {
         return node;
     }
 
+    template <int Dim>
+    lod::Hull<Dim> hull(const json& value, std::size_t place) const {
+        const std::string at = "node " + std::to_string(place) + ": the hull: ";
+        lod::Hull<Dim> hull;
+        const json& corners = member(value, "corners", at);
+        const json& faces = member(value, "faces", at);
+        if (!corners.is_array() || corners.size() > lod::most_hull_corners<Dim>)
+            refuse(at, "not a list of at most " + std::to_string(lod::most_hull_corners<Dim>) +
+                           " corners");
+        if (!faces.is_array() || faces.size() > lod::most_hull_faces<Dim>)
+            refuse(at,
+                   "not a list of at most " + std::to_string(lod::most_hull_faces<Dim>) + " faces");
+        if (corners.size() <= Dim || faces.size() <= Dim) refuse(at, "it encloses nothing");
+        for (const json& corner : corners)
+            hull.corners.push_back(vector<Dim>(corner, at + "a corner is "));
+        for (const json& face : faces) {
+            if (!face.is_array() || face.size() < Dim) refuse(at, "a face has too few corners");
+            std::vector<std::int32_t>& loop = hull.faces.emplace_back();
+            for (const json& number : face) {
+                const std::size_t corner = count(number, at + "a corner's number is ");
+                if (corner >= hull.corners.size())
+                    refuse(at, "corner " + std::to_string(corner) + " does not exist");
+                loop.push_back(static_cast<std::int32_t>(corner));
+            }
+        }
+        hull.inner.assign(hull.faces.size(), false);
+        const json& inner = member(value, "inner", at);
+        if (!inner.is_array()) refuse(at, "the inner faces are not a list");
+        for (const json& number : inner) {
+            const std::size_t face = count(number, at + "an inner face's number is ");
+            if (face >= hull.faces.size())
+                refuse(at, "face " + std::to_string(face) + " does not exist");
+            hull.inner[face] = true;
+        }
+        if (const auto tight = value.find("tight"); tight != value.end())
+            hull.tight = *tight == true;
+        if (const auto round = value.find("round"); round != value.end())
+            hull.round = *round == true;
+        return hull;
+    }
+
+    /// Every node has a hull but those below a tight one.
+    template <int Dim>
+    void add_hulls(const json& file, const json& list, lod::SphereTree<Dim>& tree) const {
+        std::vector<char> covered(list.size(), 0);
+        for (std::size_t i = 0; i < list.size(); ++i) {
+            const std::string at = "node " + std::to_string(i) + ": ";
+            if (i > 0) covered[i] = covered[tree.index(tree.parent[i])];
+            if (covered[i] != 0 && list[i].contains("hull"))
+                refuse(at, "it has a hull of its own, below one that is tight");
+            if (covered[i] != 0) {
+                tree.hulls.add({});
+                continue;
+            }
+            const lod::Hull<Dim> own = hull<Dim>(member(list[i], "hull", at), i);
+            covered[i] = own.tight;
+            tree.hulls.add(own);
+        }
+        tree.hulls.find_best(tree.parent);
+        const std::size_t entry = count(member(file, "entry_level", ""), "the entry level is ");
+        if (entry >= static_cast<std::size_t>(tree.levels()))
+            refuse("", "the entry level is " + std::to_string(entry) + ", deeper than the tree");
+        tree.hulls.entry_level = static_cast<int>(entry);
+    }
+
   private:
     std::string source_;
     int dim_;
@@ -134,7 +234,9 @@ std::string tree_to_json(const lod::SphereTree<Dim>& tree) {
         if (level > 0) text += ", ";
         text += std::to_string(tree.level_begin[level + 1] - tree.level_begin[level]);
     }
-    text += "],\n \"tree\": [";
+    text += ']';
+    if (!tree.hulls.empty()) text += ", \"entry_level\": " + std::to_string(tree.hulls.entry_level);
+    text += ",\n \"tree\": [";
     for (int node = 0; node < tree.size(); ++node) {
         const auto at = tree.index(node);
         text += node > 0 ? ",\n  {\"centre\": " : "\n  {\"centre\": ";
@@ -148,7 +250,10 @@ std::string tree_to_json(const lod::SphereTree<Dim>& tree) {
             if (child > 0) text += ", ";
             text += std::to_string(tree.first_child[at] + child);
         }
-        text += "]}";
+        text += ']';
+        if (tree.has_hulls() && !tree.hulls.of(node).empty())
+            append(text, tree.hulls.of(node), tree.hulls.is_tight(node), tree.hulls.is_round(node));
+        text += '}';
     }
     return text + "]}\n";
 }
@@ -171,6 +276,7 @@ lod::SphereTree<Dim> tree_from_json(std::string_view text, const std::string& so
     if (next_child != nodes.size())
         reader.refuse("", "node " + std::to_string(next_child) + " is nobody's child");
     lod::SphereTree<Dim> tree = lod::lay_out<Dim>(nodes);
+    if (list.front().contains("hull")) reader.add_hulls(file, list, tree);
     json levels = json::array();
     for (int level = 0; level < tree.levels(); ++level)
         levels.push_back(tree.level_begin[tree.index(level + 1)] -

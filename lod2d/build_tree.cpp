@@ -5,6 +5,7 @@
 
 #include "lodlab/core/builder/certify.hpp"
 #include "lodlab/core/builder/grow.hpp"
+#include "lodlab/core/builder/node_hulls.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/medial.hpp"
@@ -74,6 +75,7 @@ lod::SphereTree<2> build_tree(const Shape& shape, const TreeSettings& settings) 
                          "the circle tree of " + shape.name +
                              " does not cover it to within rounding; simplify the outline or "
                              "choose a smaller depth");
+    lod::give_hulls<2>(tree, whole, BoundaryIndex(shape.polygon));
     return tree;
 }
 

@@ -3,13 +3,11 @@
 #include <vector>
 
 #include "lodlab/core/sphere.hpp"
+#include "lodlab/lod2d/convex_hull.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/piece.hpp"
 
 namespace lod2d {
-
-/// Corners of the convex hull, anticlockwise; all points where they are fewer than three.
-[[nodiscard]] std::vector<Point> convex_hull(std::span<const Point> points);
 
 /// Fits discs to pieces so that they stand out of the shape as little as can be.
 class DiscFit {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lodlab/core/builder/piece.hpp"
+#include "lodlab/lod2d/convex_hull.hpp"
 
 namespace lod2d {
 namespace {
@@ -177,6 +178,15 @@ std::pair<PolygonPiece, double> PolygonPiece::held_by(const lod::Sphere<2>& disc
         for (const Corners& corners : held) kept.add_part(corners);
     }
     return {std::move(kept), rest};
+}
+
+lod::HullHints<2> PolygonPiece::hull_hints() const {
+    lod::HullHints<2> hints{convex_hull(vertices()), {}};
+    for (std::size_t i = 0; i < hints.corners.size(); ++i) {
+        const Point along = hints.corners[(i + 1) % hints.corners.size()] - hints.corners[i];
+        if (!along.isZero(0)) hints.normals.push_back(Point(along.y(), -along.x()).normalized());
+    }
+    return hints;
 }
 
 }  // namespace lod2d

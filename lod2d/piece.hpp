@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lodlab/core/builder/half_space.hpp"
+#include "lodlab/core/builder/piece.hpp"
 #include "lodlab/core/sphere.hpp"
 #include "lodlab/lod2d/convex_parts.hpp"
 
@@ -37,6 +37,9 @@ class PolygonPiece {
     /// The parts of the piece that the disc holds, cut small where it holds some of a part, and an
     /// upper bound of the area of the rest (0 where the disc holds every vertex).
     [[nodiscard]] std::pair<PolygonPiece, double> held_by(const lod::Sphere<2>& disc) const;
+
+    /// The corners and side normals of the piece's convex hull.
+    [[nodiscard]] lod::HullHints<2> hull_hints() const;
 
     [[nodiscard]] const ConvexParts& parts() const { return parts_; }
     [[nodiscard]] std::span<const BorderSegment> border() const { return border_; }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/lod3d/directions.hpp"
 
 namespace lod3d {
 namespace {
@@ -39,13 +40,13 @@ class Clipper {
         for (std::size_t i = 0; i + 1 < cutting_.size(); ++i) {
             std::vector<Point>& next = i % 2 == 0 ? even_ : odd_;
             next.clear();
-            if (clip_polygon(rest, *cutting_[i], next) == 0) return;
+            if (lod::clip_facet<3>(rest, *cutting_[i], next) == 0) return;
             rest = next;
         }
         if (cutting_.empty())
             out.insert(out.end(), rest.begin(), rest.end());
         else
-            clip_polygon(rest, *cutting_.back(), out);
+            lod::clip_facet<3>(rest, *cutting_.back(), out);
     }
 
   private:
@@ -69,7 +70,7 @@ MeshPiece::MeshPiece(const Solid& solid, const MeshDistance& inside)
     const Point room = Point::Constant(0.01 * (box.high - box.low).norm());
     box.low -= room;
     box.high += room;
-    cell_ = ConvexCell(box);
+    cell_ = lod::ConvexCell<3>(box);
 }
 
 Box MeshPiece::bounds() const {
@@ -92,7 +93,7 @@ MeshPiece MeshPiece::within(std::span<const lod::HalfSpace<3>> cell) const {
             part.polygon_end_.push_back(static_cast<std::int32_t>(part.points_.size()));
     });
     part.add_inner_corners();
-    if (!part.points_.empty()) part.measure_ = std::min(part.cell_.volume(), measure_);
+    if (!part.points_.empty()) part.measure_ = std::min(part.cell_.measure(), measure_);
     return part;
 }
 
@@ -127,8 +128,37 @@ std::pair<MeshPiece, double> MeshPiece::held_by(const lod::Sphere<3>& ball) cons
         for (const double sign : {-1.0, 1.0})
             cube.push_back({sign * Point::Unit(axis), sign * ball.centre[axis] + half, true});
     MeshPiece held = within(cube);
-    const double rest = cell_.volume() - held.cell_.volume();
+    const double rest = cell_.measure() - held.cell_.measure();
     return {std::move(held), std::clamp(rest, 0.0, measure_)};
+}
+
+namespace {
+
+constexpr std::size_t most_known_normals = 64;
+constexpr int search_directions = 128;
+
+void add_normal(const Point& normal, std::vector<Point>& normals) {
+    if (normals.size() > most_known_normals || normal.isZero(0)) return;
+    const Point unit = normal.normalized();
+    for (const Point& known : normals)
+        if ((known - unit).squaredNorm() <= 1e-12) return;
+    normals.push_back(unit);
+}
+
+}  // namespace
+
+lod::HullHints<3> MeshPiece::hull_hints() const {
+    lod::HullHints<3> hints;
+    each_polygon(
+        [&](std::span<const Point> polygon) { add_normal(area_vector(polygon), hints.normals); });
+    for (const auto& face : cell_.faces()) add_normal(face.side.normal, hints.normals);
+    if (hints.normals.size() > most_known_normals) hints.normals.clear();
+    for (const Point& direction : spread_directions(search_directions)) {
+        const Point& p = *std::ranges::max_element(
+            points_, {}, [&](const Point& q) { return direction.dot(q); });
+        if (std::ranges::find(hints.corners, p) == hints.corners.end()) hints.corners.push_back(p);
+    }
+    return hints;
 }
 
 }  // namespace lod3d

@@ -4,8 +4,9 @@
 #include <memory>
 #include <utility>
 
+#include "lodlab/core/builder/convex_cell.hpp"
+#include "lodlab/core/builder/piece.hpp"
 #include "lodlab/core/sphere.hpp"
-#include "lodlab/lod3d/convex_cell.hpp"
 #include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {
@@ -32,11 +33,15 @@ class MeshPiece {
     /// what lies in the cube inside the ball), and an upper bound of the volume of the rest.
     [[nodiscard]] std::pair<MeshPiece, double> held_by(const lod::Sphere<3>& ball) const;
 
+    /// Of the vertices those that lie outermost in some of many directions, and the normals of the
+    /// surface and of the cell where they are few.
+    [[nodiscard]] lod::HullHints<3> hull_hints() const;
+
     /// Corners of the clipped surface; the rest of the vertices lie inside the solid.
     [[nodiscard]] std::span<const Point> surface_corners() const {
         return std::span(points_).first(surface_end());
     }
-    [[nodiscard]] const ConvexCell& cell() const { return cell_; }
+    [[nodiscard]] const lod::ConvexCell<3>& cell() const { return cell_; }
     /// The box of all vertices. Requires: not empty.
     [[nodiscard]] Box bounds() const;
     /// Calls visit(corners) for every polygon of the surface.
@@ -57,7 +62,7 @@ class MeshPiece {
     void add_inner_corners();
 
     const MeshDistance* inside_ = nullptr;
-    ConvexCell cell_;
+    lod::ConvexCell<3> cell_;
     std::vector<Point> points_;  ///< corners of the surface's polygons, then the inner corners
     std::vector<std::int32_t> polygon_end_;  ///< into points_
     double measure_ = 0;

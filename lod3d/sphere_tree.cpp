@@ -7,8 +7,10 @@
 #include <string>
 
 #include "lodlab/core/builder/grid_tree.hpp"
+#include "lodlab/core/builder/node_hulls.hpp"
 #include "lodlab/core/trigonometry.hpp"
 #include "lodlab/lod3d/ball_fit.hpp"
+#include "lodlab/lod3d/directions.hpp"
 
 namespace lod3d {
 namespace {
@@ -32,19 +34,6 @@ lod::SphereTree<3> grow_cover(const Solid& solid, const MeshPiece& whole,
     settings.most_failures = static_cast<int>(std::ceil(6 * effort));
     settings.look_ahead_above = std::numeric_limits<double>::infinity();  // the strategy does
     return lod::grow_tree<3>(whole, root, strategy, settings);
-}
-
-/// Points spread evenly over the unit sphere (a spiral of the golden angle).
-std::vector<Point> spread_directions(int count) {
-    const double golden_angle = std::numbers::pi * (3 - std::sqrt(5.0));
-    std::vector<Point> directions;
-    for (int i = 0; i < count; ++i) {
-        const double height = 1 - (2 * i + 1.0) / count;
-        const double radius = std::sqrt(1 - height * height);
-        const lod::SineCosine of = lod::sine_cosine(golden_angle * i);
-        directions.emplace_back(radius * of.cosine, radius * of.sine, height);
-    }
-    return directions;
 }
 
 /// Samples the part of every sphere that no other ball covers. Its volume is a third of the
@@ -104,6 +93,7 @@ lod::SphereTree<3> build_sphere_tree(const Solid& solid, const SphereTreeSetting
                          "the sphere tree of " + solid.name +
                              " does not cover it to within rounding; simplify the mesh or choose "
                              "a smaller depth");
+    lod::give_hulls<3>(tree, whole, distance);
     return tree;
 }
 

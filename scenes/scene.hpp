@@ -68,7 +68,7 @@ struct Scene {
     double duration = 2;           ///< [s]
     Limits limits;
     lod::Response response = lod::Response::net;
-    lod::ContactModel contact_model = lod::ContactModel::node_normal;
+    lod::ContactModel contact_model = lod::ContactModel::hull;
     lod::PointModel point_model = lod::PointModel::radius_ratio;
     lod::Priority priority = lod::Priority::closing_speed;
     lod::FinestDetail finest;      ///< beyond the leaves
@@ -100,7 +100,8 @@ struct KeyNote {
 /// Names of the choices, in the order of the enum: for keys, options and messages.
 inline constexpr std::array<std::string_view, 6> response_names{"net",        "sum", "mean",
                                                                 "sequential", "lcp", "reflections"};
-inline constexpr std::array<std::string_view, 2> contact_model_names{"centre_line", "node_normal"};
+inline constexpr std::array<std::string_view, 3> contact_model_names{"centre_line", "node_normal",
+                                                                     "hull"};
 inline constexpr std::array<std::string_view, 2> point_model_names{"radius_ratio",
                                                                    "plane_of_intersection"};
 inline constexpr std::array<std::string_view, 3> finest_names{"leaves", "exact", "backtrack"};

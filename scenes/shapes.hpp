@@ -142,7 +142,7 @@ using Shape = typename Shapes<Dim>::Shape;
 /// it and fails when it is another one): trees in the cache are of this version of the builders,
 /// compiled with these releases of the libraries that they compute with.
 inline constexpr std::string_view builders_version =
-    "4e2403dbd2a123d886b0b552829506a190872538a4e4cdbd67f0fa1b33ba8fdf";
+    "8d3cb30cbaee628bffb571bbf8bb29bd4b668078e950b8699735fe80e8dd5756";
 
 /// The tree of a shape, from the cache where it was built before.
 template <int Dim>

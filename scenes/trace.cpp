@@ -89,7 +89,10 @@ Json pairs(const lod::FrameRecord<Dim>& record) {
         for (std::int32_t k = 0; k < pair.contact_count; ++k) {
             const auto c = static_cast<std::size_t>(pair.first_contact + k);
             const lod::Contact<Dim>& contact = record.impacts[c].contact;
-            contacts.push_back({{"nodes", {record.node_pairs[c].a, record.node_pairs[c].b}},
+            Json nodes = Json::array();
+            for (const lod::NodePair& behind : record.nodes_of(record.contact_nodes[c]))
+                nodes.push_back({behind.a, behind.b});
+            contacts.push_back({{"nodes", std::move(nodes)},
                                 {"point", array_of(contact.point)},
                                 {"normal", array_of(contact.normal)},
                                 {"depth", contact.depth},

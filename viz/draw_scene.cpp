@@ -210,11 +210,7 @@ std::vector<lod::Contact<Dim>> contacts_of(const lod::FrameRecord<Dim>& record) 
 template <int Dim>
 std::span<const lod::NodePair> nodes_of(const lod::FrameRecord<Dim>& record,
                                         const lod::PairRecord& pair) {
-    const auto first = static_cast<std::size_t>(pair.first_contact);
-    const auto count = static_cast<std::size_t>(pair.contact_count);
-    if (record.node_pairs.size() < first + count) return {};
-    const auto nodes = std::span(record.node_pairs).subspan(first, count);
-    return count > 0 && nodes.front().a < 0 ? std::span<const lod::NodePair>{} : nodes;
+    return record.nodes_of(pair.nodes);
 }
 
 const char* verdict_words(lod::Verdict verdict) {

@@ -10,6 +10,13 @@
 
 namespace lod {
 
+/// What a piece knows of its convex hull.
+template <int Dim>
+struct HullHints {
+    std::vector<Vector<Dim>> corners;  ///< those of the piece's vertices that lie outermost
+    std::vector<Vector<Dim>> normals;  ///< of the hull's faces, as far as they are known; unit
+};
+
 /// A part of a shape that a node of its tree owns, as the plane (clipped polygons) and space
 /// (clipped triangles) supply it. A ball holds the piece exactly where it holds its vertices.
 template <class Piece, int Dim>
@@ -28,6 +35,7 @@ concept PieceOf = std::copyable<Piece> &&
     /// A part of the piece that the ball holds, as large as can cheaply be found (all of it, where
     /// the ball holds all of it), and an upper bound of the measure of the rest.
     { piece.held_by(ball) } -> std::same_as<std::pair<Piece, double>>;
+    { piece.hull_hints() } -> std::same_as<HullHints<Dim>>;
 };
 
 /// The part of a piece in the power cell of each ball.

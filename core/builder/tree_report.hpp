@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lodlab/core/builder/certify.hpp"
+#include "lodlab/core/builder/node_hulls.hpp"
 #include "lodlab/core/builder/protrusion.hpp"
 
 namespace lod {
@@ -21,6 +22,7 @@ struct LevelReport {
     double measure_ratio = 0;  ///< area or volume of the union over the shape's, >= 1 if certified
     double uncovered = 0;      ///< upper bound of the share of the measure without a chain of balls
     bool certified = false;    ///< the level covers the shape (core/builder/certify.hpp)
+    bool hulls_certified = false;  ///< every node's hull holds its piece (certify_hulls)
 };
 
 struct TreeReport {
@@ -43,6 +45,7 @@ template <int Dim, PieceOf<Dim> Piece, DistanceFrom<Dim> Distance, typename Meas
                                        const Distance& distance, double measure, double tolerance,
                                        const MeasureUnion& measure_union) {
     const auto certificates = certify<Dim>(tree, whole);
+    const auto hulls = certify_hulls<Dim>(tree, whole);
     TreeReport report;
     report.bounding_diameter = 2 * enclosing_ball<Dim>(whole.vertices()).radius;
     report.tolerance = tolerance * report.bounding_diameter;
@@ -63,6 +66,7 @@ template <int Dim, PieceOf<Dim> Piece, DistanceFrom<Dim> Distance, typename Meas
         entry.measure_ratio = of_union.measure / measure;
         entry.uncovered = certificates[static_cast<std::size_t>(level)].uncovered;
         entry.certified = certificates[static_cast<std::size_t>(level)].certified;
+        entry.hulls_certified = hulls[static_cast<std::size_t>(level)] != 0;
         report.levels.push_back(entry);
     }
     return report;

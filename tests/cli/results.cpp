@@ -142,7 +142,8 @@ TEST_CASE("a comparison tells each level from the exact impact, and Box2D from n
     CHECK(impact["exact"]["a"]["spin"].get<double>() == Approx(60.0 / 31).epsilon(1e-6));
     CHECK(impact["box2d"]["error"]["impulse"].get<double>() < 1e-5);
     CHECK(impact["levels"].size() == 5);
-    CHECK(impact["levels"][0]["error"]["impulse"].get<double>() > 0.1);
+    // A box is its own hull: its coarsest level knows where it touches.
+    CHECK(impact["levels"][0]["error"]["impulse"].get<double>() < 1e-3);
     REQUIRE(json["runs"].size() == 6);
     CHECK(json["runs"][5]["level"] == "exact");
     for (const Json& run : json["runs"]) {
@@ -152,7 +153,7 @@ TEST_CASE("a comparison tells each level from the exact impact, and Box2D from n
             if (part != "total") sum += cost.get<double>();
         CHECK(parts["total"].get<double>() == Approx(sum));
     }
-    CHECK(json["runs"][5]["perceived"]["total"] < json["runs"][0]["perceived"]["total"]);
+    CHECK(json["runs"][5]["perceived"]["total"].get<double>() < 1e-3);
 }
 
 TEST_CASE("what a level takes for a collision and never was has no error to tell") {

@@ -116,7 +116,8 @@ TEMPLATE_TEST_CASE_SIG("a warm frame allocates nothing", "[allocation]", ((int D
     for (const Response response : {Response::net, Response::sum, Response::mean}) {
         FrameSettings settings;
         settings.response = response;
-        for (const ContactModel model : {ContactModel::centre_line, ContactModel::node_normal}) {
+        for (const ContactModel model :
+             {ContactModel::centre_line, ContactModel::node_normal, ContactModel::hull}) {
             settings.contact_model = model;
             FrameStorage<Dim> storage;
             CHECK(allocations_of(bodies, start, settings, storage, 30) > 0);

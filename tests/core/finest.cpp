@@ -120,7 +120,7 @@ TEMPLATE_TEST_CASE_SIG("without backtracking exact contacts stand where the bodi
         CHECK(std::abs(impact.contact.depth - 0.005) < 1e-9);
         CHECK(std::abs(impact.contact.point[1] + 0.0025) < 1e-9);
     }
-    for (const NodePair& nodes : record.node_pairs) CHECK(nodes == NodePair{-1, -1});
+    for (const Range& nodes : record.contact_nodes) CHECK(nodes.count == 0);
 }
 
 TEMPLATE_TEST_CASE_SIG("bodies that were pushed and still overlap part undisturbed", "[finest]",

@@ -78,6 +78,9 @@ void check_fall(const Fall<Dim>& fall, const std::string& builder, double lopsid
             INFO(builder << ", level " << level << ", lopsided by " << lopsided << " m");
             CHECK(spin <= (lopsided < 1e-11 ? 1e-9 : lopsided_spin));
         }
+    // A box is its own hull, whatever its balls.
+    for (int level = 0; level < fall.box.tree->levels(); ++level)
+        CHECK(fall.edge_speed(level, ContactModel::hull, Finest::leaves) <= 1e-9);
 }
 
 Body<2> body_of(const lod2d::Shape& shape, lod2d::Builder builder) {

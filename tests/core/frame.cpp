@@ -55,7 +55,7 @@ TEMPLATE_TEST_CASE_SIG("a frame records every stage", "[frame]", ((int Dim), Dim
     const auto record = step(bodies, Budget::unlimited());
     REQUIRE(record.pairs.size() > 3);
     REQUIRE(record.impacts.size() > 3);
-    CHECK(record.node_pairs.size() == record.impacts.size());
+    CHECK(record.contact_nodes.size() == record.impacts.size());
     CHECK(record.impulses.size() == record.impacts.size());
     CHECK(record.energy_before == before);
     CHECK(record.energy_after == Approx(before).epsilon(1e-12));
@@ -68,7 +68,7 @@ TEMPLATE_TEST_CASE_SIG("a frame records every stage", "[frame]", ((int Dim), Dim
         tests += pair.tests;
         CHECK(pair.first_contact == contacts);
         contacts += pair.contact_count;
-        CHECK((pair.verdict == Verdict::apart) == (pair.contact_count == 0));
+        CHECK((pair.verdict == Verdict::apart) == (pair.nodes.count == 0));
         for (std::int32_t c = pair.first_contact; c < contacts; ++c) {
             const Impact<Dim>& impact = record.impacts[static_cast<std::size_t>(c)];
             CHECK(impact.a == pair.bodies.a);
@@ -76,6 +76,7 @@ TEMPLATE_TEST_CASE_SIG("a frame records every stage", "[frame]", ((int Dim), Dim
             CHECK(impact.pair == static_cast<std::int32_t>(p));
             CHECK(std::abs(impact.contact.normal.norm() - 1) < 1e-15);
             CHECK(impact.contact.depth >= 0);
+            CHECK(record.contact_nodes[static_cast<std::size_t>(c)].count > 0);
         }
     }
     CHECK(contacts == static_cast<std::int32_t>(record.impacts.size()));
@@ -86,7 +87,8 @@ TEMPLATE_TEST_CASE_SIG("a frame's contacts are those of the contact model that i
                        "[frame]", ((int Dim), Dim), 2, 3) {
     const auto bodies = heap<Dim>(88);
     FrameSettings settings;
-    for (const ContactModel model : {ContactModel::centre_line, ContactModel::node_normal}) {
+    for (const ContactModel model :
+         {ContactModel::centre_line, ContactModel::node_normal, ContactModel::hull}) {
         settings.contact_model = model;
         FrameStorage<Dim> storage;
         Budget budget = Budget::unlimited();
@@ -96,7 +98,8 @@ TEMPLATE_TEST_CASE_SIG("a frame's contacts are those of the contact model that i
             const PairRecord& pair = record.pairs[p];
             const auto expected = contacts_of_front<Dim>(
                 bodies[static_cast<std::size_t>(pair.bodies.a)],
-                bodies[static_cast<std::size_t>(pair.bodies.b)], storage.fronts[p], model);
+                bodies[static_cast<std::size_t>(pair.bodies.b)], storage.fronts[p], model,
+                PointModel::radius_ratio, settings.time_step);
             REQUIRE(expected.size() == static_cast<std::size_t>(pair.contact_count));
             for (std::size_t c = 0; c < expected.size(); ++c) {
                 const std::size_t place = static_cast<std::size_t>(pair.first_contact) + c;

@@ -132,11 +132,13 @@ TEMPLATE_TEST_CASE_SIG("a patch is what a flood over shared nodes reaches", "[fr
         for (PosedTree<Dim>* world : {&world_a, &world_b})
             for (int node = 0; node < world->tree().size(); ++node)
                 if (!world->tree().is_leaf(node)) world->carry_children(node);
-        std::vector<NodeContact<Dim>> found;
+        FrontModel<Dim> found;
         modeller.model(world_a, world_b, front.pairs, ContactModel::node_normal,
-                       PointModel::radius_ratio, Vector<Dim>::Unit(0), found);
+                       PointModel::radius_ratio, pair_motion(a, b, 0), found);
         std::set<double> normals;
-        for (const auto& [nodes, contact] : found) {
+        for (const auto& [contact, behind] : found.contacts) {
+            REQUIRE(behind.count == 1);
+            const NodePair nodes = found.node_pairs[static_cast<std::size_t>(behind.first)];
             const auto [side_a, side_b] = flooded(a, b, front.pairs, nodes);
             normals.insert(side_a[0]);
             const auto expected = model_surface_contact<Dim>({world_a.sphere(nodes.a), side_a},

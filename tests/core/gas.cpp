@@ -83,7 +83,7 @@ Drift drift_of(std::vector<Body<2>> bodies, int level, int frames) {
             if (bodies[static_cast<std::size_t>(impact.b)].is_static()) expected -= push;
         }
         drift.impacts += record.impacts.size();
-        drift.rounds = std::max(drift.rounds, storage.resolver.rounds());
+        drift.rounds = std::max(drift.rounds, storage.record.response.most_visits);
         drift.energy = std::max(drift.energy, std::abs(kinetic_energy(seen) / energy - 1));
         drift.momentum = std::max(drift.momentum, (momentum(seen) - expected).norm() / exchanged);
     }
@@ -100,7 +100,7 @@ void check_gas(int columns, int rows, int frames, bool print) {
                 "%.1e\n",
                 level, static_cast<unsigned long long>(drift.impacts), drift.rounds, drift.energy,
                 drift.momentum);
-        CHECK(drift.impacts > 100);
+        CHECK(drift.impacts > 50);  // one or two a touching pair
         CHECK(drift.energy <= 1e-9);
         CHECK(drift.momentum <= 1e-9);
     }

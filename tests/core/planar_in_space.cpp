@@ -98,7 +98,7 @@ const FrameRecord<Dim>& run(std::vector<Body<Dim>>& bodies, const FrameSettings&
 /// Contacts that contradict each other, of bodies deep within each other, keep the references going
 /// for up to thousands of rounds, and rounding grows with each. Such frames compare fronts only.
 bool settles(const FrameStorage<2>& storage) {
-    return storage.resolver.rounds() <= 20;
+    return storage.record.response.most_visits <= 20;
 }
 
 /// The same pairs, levels, verdicts, tests and node pairs.

@@ -15,7 +15,8 @@ void add_curves(const std::string& where, std::vector<std::string> shapes,
     plan.depth = 2;
     plan.impacts = impacts;
     plan.ensemble.seed = 7;
-    plan.models = {lod::ContactModel::centre_line, lod::ContactModel::node_normal};
+    plan.models = {lod::ContactModel::centre_line, lod::ContactModel::node_normal,
+                   lod::ContactModel::hull};
     plan.responses = {lod::Response::net};
     std::vector<measure::Kind<Dim>> kinds;
     for (const std::string& shape : plan.shapes)

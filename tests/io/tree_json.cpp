@@ -3,8 +3,10 @@
 #include <bit>
 #include <cstdlib>
 
+#include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
+#include "lodlab/core/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/random.hpp"
 
@@ -43,7 +45,7 @@ std::vector<std::uint64_t> bits_of(const std::vector<double>& numbers) {
     return bits;
 }
 
-const std::string good = R"({"format": "lodlab tree", "version": 1, "dim": 2, "nodes": 3,
+const std::string good = R"({"format": "lodlab tree", "version": 2, "dim": 2, "nodes": 3,
  "levels": [1, 2], "tree": [
   {"centre": [0, 0], "radius": 2, "normal": [0, 0], "children": [1, 2]},
   {"centre": [1, 0], "radius": 1, "normal": [1, 0], "children": []},
@@ -104,8 +106,8 @@ TEST_CASE("a tree is saved whole and loaded again", "[tree_json]") {
 TEST_CASE("a file that is not such a tree is refused in one line", "[tree_json]") {
     CHECK(tree_from_json<2>(good, "good").size() == 3);
     check_refused("lodlab tree", "some tree", "format");
-    check_refused("\"version\": 1", "\"version\": 2", "version 2");
-    check_refused("\"version\": 1, ", "", "\"version\" is missing");
+    check_refused("\"version\": 2", "\"version\": 3", "version 3");
+    check_refused("\"version\": 2, ", "", "\"version\" is missing");
     check_refused("\"dim\": 2", "\"dim\": 3", "dimension 3");
     check_refused("\"nodes\": 3", "\"nodes\": 353000000000", "\"nodes\" is not 3");
     check_refused("\"nodes\": 3", "\"nodes\": -3", "not a whole number");
@@ -129,4 +131,59 @@ TEST_CASE("a file that is not such a tree is refused in one line", "[tree_json]"
     CHECK_THROWS_AS(tree_from_json<2>("", "empty"), lod::Error);
     CHECK_THROWS_AS(tree_from_json<2>("[]", "list"), lod::Error);
     CHECK_THROWS_AS(tree_from_json<2>(std::string(100000, '['), "deep"), lod::Error);
+}
+
+TEST_CASE("a tree's hulls come back to the last bit", "[tree_json]") {
+    lodtest::Random random(77);
+    for (int trial = 0; trial < 20; ++trial) {
+        lod::SphereTree<3> tree = random_tree<3>(static_cast<std::uint64_t>(800 + trial), 9);
+        std::vector<char> covered(9, 0);
+        for (int node = 0; node < tree.size(); ++node) {
+            const auto at = tree.index(node);
+            if (node > 0) covered[at] = covered[tree.index(tree.parent[at])];
+            if (covered[at] != 0) {
+                tree.hulls.add({});
+                continue;
+            }
+            std::vector<lod::Vector<3>> points;
+            for (int i = 0; i < 12; ++i)
+                points.push_back({random.in(-1, 1), random.in(-1, 1), random.in(-1, 1)});
+            lod::Hull<3> hull = lod::fit_hull<3>(points, points, {}, 1e-9);
+            hull.inner.assign(hull.faces.size(), false);
+            hull.inner[0] = random.below(2) == 0;
+            hull.tight = random.below(4) == 0;
+            covered[at] = hull.tight;
+            tree.hulls.add(hull);
+        }
+        tree.hulls.find_best(tree.parent);
+        tree.hulls.entry_level = 1;
+        const std::string text = tree_to_json(tree);
+        const lod::SphereTree<3> again = tree_from_json<3>(text, "hulls.json");
+        CHECK(lod::tree_hash(again) == lod::tree_hash(tree));
+        CHECK(tree_to_json(again) == text);
+    }
+}
+
+TEST_CASE("a hull that is none is refused by the node that has it", "[tree_json]") {
+    const std::string hull = R"("children": [1, 2], "hull": {"corners": [[0, 0], [1, 0], [0, 1]],
+     "faces": [[0, 1], [1, 2], [2, 0]], "tight": true, "inner": []}})";
+    std::string text = good;
+    const std::string before = R"("children": [1, 2]})";
+    text.replace(text.find(before), before.size(), hull);
+    const std::string levels = R"("levels": [1, 2],)";
+    text.replace(text.find(levels), levels.size(), levels + R"( "entry_level": 0,)");
+    CHECK(tree_from_json<2>(text, "some.json").hulls.best(2) == 0);
+    const auto refused = [&](const std::string& passage, const std::string& by,
+                             const std::string& why) {
+        std::string bad = text;
+        REQUIRE(bad.find(passage) != std::string::npos);
+        bad.replace(bad.find(passage), passage.size(), by);
+        CHECK_THROWS_WITH(tree_from_json<2>(bad, "some.json"), lodtest::contains(why));
+    };
+    refused("[2, 0]]", "[3, 0]]", "node 0: the hull: corner 3 does not exist");
+    refused("[2, 0]]", "[2]]", "node 0: the hull: a face has too few corners");
+    refused("[[0, 0], ", "[", "node 0: the hull: it encloses nothing");
+    refused("\"inner\": []", "\"inner\": [7]", "node 0: the hull: face 7 does not exist");
+    refused("\"tight\": true, ", "", "node 1: the key \"hull\" is missing");
+    refused("\"entry_level\": 0", "\"entry_level\": 2", "the entry level is 2");
 }

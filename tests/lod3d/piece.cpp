@@ -22,20 +22,20 @@ std::vector<lod::Sphere<3>> random_balls(lod::Random& random, int count) {
 }  // namespace
 
 TEST_CASE("a cube cut by a plane has the volume and corners worked by hand", "[cell]") {
-    ConvexCell cube(Box{Point::Zero(), Point::Constant(1)});
-    CHECK(cube.volume() == Approx(1));
-    ConvexCell half = cube;
+    lod::ConvexCell<3> cube(Box{Point::Zero(), Point::Constant(1)});
+    CHECK(cube.measure() == Approx(1));
+    lod::ConvexCell<3> half = cube;
     half.clip({Point(1, 1, 1), 1.5, true});  // the hexagon through the middle
-    CHECK(half.volume() == Approx(0.5));
-    ConvexCell corner = cube;
+    CHECK(half.measure() == Approx(0.5));
+    lod::ConvexCell<3> corner = cube;
     corner.clip({Point(1, 1, 1), 1, true});
-    CHECK(corner.volume() == Approx(1.0 / 6));
+    CHECK(corner.measure() == Approx(1.0 / 6));
     CHECK(corner.holds(Point(0.2, 0.2, 0.2)));
     CHECK_FALSE(corner.holds(Point(0.4, 0.4, 0.4)));
     for (const Point& p : corner.corners()) CHECK(p.sum() <= 1 + 1e-15);
     corner.clip({Point(-1, 0, 0), -2, true});  // x >= 2
     CHECK(corner.empty());
-    CHECK(corner.volume() == 0);
+    CHECK(corner.measure() == 0);
 }
 
 TEST_CASE("the cells of a power diagram share out a box", "[cell]") {
@@ -44,9 +44,9 @@ TEST_CASE("the cells of a power diagram share out a box", "[cell]") {
         const auto balls = random_balls(random, 8);
         double sum = 0;
         for (std::size_t i = 0; i < balls.size(); ++i) {
-            ConvexCell cell(Box{Point::Constant(-1), Point::Constant(1)});
+            lod::ConvexCell<3> cell(Box{Point::Constant(-1), Point::Constant(1)});
             for (const auto& side : lod::power_cell<3>(balls, i)) cell.clip(side);
-            sum += cell.volume();
+            sum += cell.measure();
         }
         CHECK(sum == Approx(8).epsilon(1e-12));
     }

@@ -17,6 +17,7 @@ struct Scene {
         tree = std::make_shared<lod::SphereTree<2>>(lod2d::build_tree(shape, settings));
         outline = std::make_shared<lod2d::ExactOutline>(shape);
         options.settings.time_step = 1.0 / 240;
+        options.settings.contact_model = lod::ContactModel::node_normal;
         options.frames = 240;
     }
 

@@ -155,6 +155,7 @@ TEST_CASE("frames that are skipped would have changed nothing") {
             lod::FrameSettings frame;
             frame.time_step = settings.time_step;
             frame.deepest_level = level;
+            frame.contact_model = settings.models[0];
             std::vector<lod::Body<2>> bodies{approach.a, approach.b};
             lod::FrameStorage<2> storage;
             int number = 0;

@@ -82,6 +82,7 @@ TEST_CASE("the collision of frames ends when the pushes end", "[measure]") {
     lod::FrameSettings settings;
     settings.time_step = 1.0 / 240;
     settings.deepest_level = 0;
+    settings.contact_model = lod::ContactModel::centre_line;
     const auto collision = framed_collision<2>(bodies[0], bodies[1], settings, 1, planar);
     REQUIRE(collision);
     // The roots, of radius 1/sqrt 2 at least, meet while the faces are still apart.

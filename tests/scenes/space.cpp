@@ -103,6 +103,7 @@ TEST_CASE("planar scenes repeat in space to 1e-12, with the same fronts, test fo
         GENERATE("offset_boxes", "near_miss", "box_falls_flat", "figure9", "letters");
     Scene scene = shipped(name);
     for (BodySpec& body : scene.bodies) body.depth = 2;
+    scene.contact_model = lod::ContactModel::node_normal;  // a lifted tree has no hulls
     const Setup<2> flat = set_up<2>(scene);
     std::vector<lod::Body<3>> bodies;
     for (const lod::Body<2>& body : flat.bodies) bodies.push_back(lifted(body));
@@ -184,10 +185,9 @@ TEST_CASE("a rod flies through a ring: a collision at coarse levels, none at the
     CHECK(summarise(run_of<3>(scene, setup.bodies)).contacts > 0);
 }
 
-TEST_CASE("a cube that falls flat leaves without spin at every level, however many contacts") {
+TEST_CASE("a cube that falls flat leaves without spin at every level, on four contacts") {
     Scene scene = shipped("cube_falls_flat");
     const Setup<3> setup = set_up<3>(scene);
-    std::size_t expected = 1;
     for (const int level : {0, 1, 2, 3}) {
         scene.limits.level = level;
         const Run<3> run = run_of<3>(scene, setup.bodies);
@@ -195,10 +195,9 @@ TEST_CASE("a cube that falls flat leaves without spin at every level, however ma
             return !step.record.impacts.empty();
         });
         REQUIRE(first != run.steps.end());
-        CHECK(first->record.impacts.size() == expected);
+        CHECK(first->record.impacts.size() == 4);
         CHECK(run.end[0].velocity.isApprox(lod::Vector<3>(0, 1, 0)));
         CHECK(run.end[0].spin.norm() < 1e-9);
-        expected *= 4;
     }
 }
 

@@ -1,0 +1,231 @@
+#include "lodlab/core/builder/fit_hull.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "lodlab/core/box.hpp"
+#include "lodlab/core/builder/convex_cell.hpp"
+
+namespace lod {
+namespace {
+
+/// Shares of the points' extent: a face that cuts off less is not worth having, where it is one of
+/// the hull's own and where it is searched for; corners nearer to each other are one.
+constexpr double least_cut = 1e-7;
+constexpr double least_search = 2e-3;
+constexpr double same_corner = 1e-10;
+constexpr double box_spare = 1e-8;
+constexpr int search_steps = 24;
+
+template <int Dim>
+class HullFit {
+  public:
+    HullFit(std::span<const Vector<Dim>> points, std::span<const Vector<Dim>> corners,
+            double margin)
+        : points_(points), corners_(corners), margin_(margin) {
+        Box<Dim> box;
+        for (const Vector<Dim>& p : points) box.hold(p);
+        size_ = box.size().norm();
+        margin_ += 2 * same_corner * size_;  // what making corners one may take away
+        // A little wider, so that no sliver of it is left where faces end in its sides.
+        const Vector<Dim> spare = Vector<Dim>::Constant(margin_ + box_spare * size_);
+        box_ = Box<Dim>(box.low - spare, box.high + spare);
+    }
+
+    /// With so many cuts at most.
+    Hull<Dim> run(std::span<const Vector<Dim>> normals, int most_faces) {
+        most_faces_ = most_faces;
+        cuts_ = 0;
+        cell_ = ConvexCell<Dim>(box_);
+        cut_along(normals);
+        if constexpr (Space<Dim>::facets_close) cut_by_search();
+        return hull();
+    }
+
+  private:
+    [[nodiscard]] bool full() const { return cuts_ >= most_faces_; }
+
+    void cut(const Vector<Dim>& normal) {
+        ++cuts_;
+        cell_.clip({normal, support<Dim>(points_, normal) + margin_, true});
+    }
+
+    /// How far the cell stands out beyond all points.
+    [[nodiscard]] double excess(const Vector<Dim>& normal, double reach) const {
+        double most = -std::numeric_limits<double>::infinity();
+        for (const auto& face : cell_.faces())
+            most = std::max(most, support<Dim>(face.corners, normal));
+        return most - reach - margin_;
+    }
+
+    void cut_along(std::span<const Vector<Dim>> normals) {
+        std::vector<double> reach;
+        for (const Vector<Dim>& normal : normals) reach.push_back(support<Dim>(corners_, normal));
+        while (!full()) {
+            std::size_t best = normals.size();
+            double most = least_cut * size_;
+            for (std::size_t i = 0; i < normals.size(); ++i) {
+                const double out = excess(normals[i], reach[i]);
+                if (out <= most) continue;
+                most = out;
+                best = i;
+            }
+            if (best == normals.size()) return;
+            cut(normals[best]);
+            reach[best] = std::numeric_limits<double>::infinity();  // once is enough
+        }
+    }
+
+    /// A corner of the cell and how it may be cut off.
+    struct Tip {
+        Vector<Dim> corner;
+        Vector<Dim> normal;
+        double out = 0;  ///< what the cut takes away along the normal
+    };
+
+    /// Cuts off the corner of the cell that is farthest from the points' convex hull, again and
+    /// again.
+    void cut_by_search() {
+        std::vector<Tip> tips;
+        while (!full()) {
+            std::vector<Tip> now;
+            for (const Vector<Dim>& corner : cell_.corners()) {
+                const auto same = [&](const Tip& tip) { return tip.corner == corner; };
+                if (std::ranges::any_of(now, same)) continue;
+                const auto known = std::ranges::find_if(tips, same);
+                now.push_back(known != tips.end() ? *known : tip_at(corner));
+            }
+            tips = std::move(now);
+            const Tip& best = *std::ranges::max_element(tips, {}, &Tip::out);
+            if (best.out <= least_search * size_) return;
+            cut(best.normal);
+        }
+    }
+
+    [[nodiscard]] Tip tip_at(const Vector<Dim>& corner) const {
+        const Vector<Dim> normal = away_from_hull(corner);
+        return {corner, normal, normal.dot(corner) - support<Dim>(corners_, normal) - margin_};
+    }
+
+    /// About the direction from the nearest point of the convex hull to a point outside (Gilbert
+    /// 1966); where that leads to a face of the hull, the face's normal.
+    [[nodiscard]] Vector<Dim> away_from_hull(const Vector<Dim>& p) const {
+        Vector<Dim> nearest = corners_.front();
+        for (int step = 0; step < search_steps; ++step) {
+            const Vector<Dim> away = p - nearest;
+            const Vector<Dim> next = outermost(away);
+            const Vector<Dim> along = next - nearest;
+            const double gain = away.dot(along);
+            if (!(gain > 1e-12 * size_ * size_)) break;
+            nearest += std::min(1.0, gain / along.squaredNorm()) * along;
+        }
+        const Vector<Dim> direction = (p - nearest).normalized();
+        const Vector<Dim> face = face_towards(direction);
+        const auto out = [&](const Vector<Dim>& normal) {
+            return normal.dot(p) - support<Dim>(corners_, normal);
+        };
+        return !face.isZero(0) && out(face) >= out(direction) ? face : direction;
+    }
+
+    [[nodiscard]] Vector<Dim> outermost(const Vector<Dim>& direction) const {
+        return *std::ranges::max_element(corners_, {},
+                                         [&](const Vector<Dim>& p) { return direction.dot(p); });
+    }
+
+    /// The normal of the facet through the Dim corners that lie outermost, the next ones looked for
+    /// a little to the side of those before; zero where they make none.
+    [[nodiscard]] Vector<Dim> face_towards(const Vector<Dim>& direction) const {
+        std::array<Vector<Dim>, Dim> facet;
+        facet[0] = outermost(direction);
+        for (std::size_t i = 1; i < Dim; ++i) {
+            // Of all that lie nearly as far out, the one farthest from those before.
+            const double level = direction.dot(facet[0]) - 0.02 * size_;
+            double most = 0;
+            facet[i] = facet[0];
+            for (const Vector<Dim>& p : corners_) {
+                if (direction.dot(p) < level) continue;
+                double far = (p - facet[0]).squaredNorm();
+                if (i == 2)
+                    far = (p - facet[0]).squaredNorm() * (facet[1] - facet[0]).squaredNorm() -
+                          (p - facet[0]).dot(facet[1] - facet[0]) *
+                              (p - facet[0]).dot(facet[1] - facet[0]);
+                if (far <= most) continue;
+                most = far;
+                facet[i] = p;
+            }
+        }
+        Vector<Dim> normal = Space<Dim>::facet_normal(facet);
+        if (normal.norm() < 1e-9 * size_ * size_) return Vector<Dim>::Zero();
+        normal = normal.normalized();
+        return normal.dot(direction) < 0 ? -normal : normal;
+    }
+
+    /// The cell's corners, each once, and its faces turned outwards.
+    [[nodiscard]] Hull<Dim> hull() const {
+        Hull<Dim> hull;
+        const double near = same_corner * size_ * same_corner * size_;
+        for (const auto& face : cell_.faces()) {
+            std::vector<std::int32_t> loop;
+            for (const Vector<Dim>& p : face.corners) {
+                const auto same = std::ranges::find_if(hull.corners, [&](const Vector<Dim>& q) {
+                    return (p - q).squaredNorm() <= near;
+                });
+                const auto number = static_cast<std::int32_t>(same - hull.corners.begin());
+                if (same == hull.corners.end()) hull.corners.push_back(p);
+                if (loop.empty() || (loop.back() != number && loop.front() != number))
+                    loop.push_back(number);
+            }
+            if (static_cast<int>(loop.size()) < Dim) continue;
+            if (Space<Dim>::area_vector(face.corners).dot(face.side.normal) < 0)
+                std::ranges::reverse(loop);
+            hull.faces.push_back(std::move(loop));
+        }
+        return hull;
+    }
+
+    std::span<const Vector<Dim>> points_;
+    std::span<const Vector<Dim>> corners_;
+    double margin_;
+    double size_ = 0;
+    int most_faces_ = 0;  ///< cuts, at most; sides of the first box may be left besides
+    int cuts_ = 0;
+    Box<Dim> box_;
+    ConvexCell<Dim> cell_;
+};
+
+}  // namespace
+
+template <int Dim>
+double support(std::span<const Vector<Dim>> points, const Vector<Dim>& normal) {
+    double most = -std::numeric_limits<double>::infinity();
+    for (const Vector<Dim>& p : points) most = std::max(most, normal.dot(p));
+    return most;
+}
+
+template <int Dim>
+Hull<Dim> fit_hull(std::span<const Vector<Dim>> points, std::span<const Vector<Dim>> corners,
+                   std::span<const Vector<Dim>> normals, double margin) {
+    HullFit<Dim> fit(points, corners, margin);
+    // Where sides of the first box are left, or rounding leaves corners that hardly differ, fewer
+    // cuts make a sound hull; none leaves the box.
+    int faces = most_hull_faces<Dim>;
+    for (;; --faces) {
+        Hull<Dim> hull = fit.run(normals, faces);
+        NodeHulls<Dim> one;
+        one.add(hull);
+        const bool few = static_cast<int>(hull.corners.size()) <= most_hull_corners<Dim> &&
+                         static_cast<int>(hull.faces.size()) <= most_hull_faces<Dim>;
+        if ((few && one.of(0).is_closed()) || faces == 0) return hull;
+    }
+}
+
+#define LOD_INSTANTIATE(Dim)                                                                     \
+    template double support<Dim>(std::span<const Vector<Dim>>, const Vector<Dim>&);              \
+    template Hull<Dim> fit_hull<Dim>(std::span<const Vector<Dim>>, std::span<const Vector<Dim>>, \
+                                     std::span<const Vector<Dim>>, double);
+LOD_INSTANTIATE(2)
+LOD_INSTANTIATE(3)
+#undef LOD_INSTANTIATE
+
+}  // namespace lod

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "lodlab/core/box.hpp"
+#include "lodlab/core/builder/protrusion.hpp"
+#include "lodlab/core/hull.hpp"
+#include "lodlab/core/tree.hpp"
+
+namespace lod {
+
+/// A hollow is free for other bodies where a ball of more than this share of the root ball's radius
+/// fits between a hull and the shape. Ours, measured: see METHOD.md, node hulls.
+inline constexpr double hollow_share = 0.3;
+
+/// Whether some point of the hull lies farther from the shape than `reach` [m], to within an eighth
+/// of it.
+template <int Dim, DistanceFrom<Dim> Distance>
+[[nodiscard]] bool stands_out(const HullView<Dim>& hull, const Distance& shape, double reach) {
+    struct Cube {
+        Vector<Dim> centre;
+        double half;
+    };
+    Box<Dim> box;
+    for (const Vector<Dim>& corner : hull.corners) box.hold(corner);
+    if (hull.empty()) return false;
+    const double root_of_dim = std::sqrt(static_cast<double>(Dim));
+    std::vector<Cube> waiting{{box.centre(), box.size().maxCoeff() / 2}};
+    while (!waiting.empty()) {
+        const auto [centre, half] = waiting.back();
+        waiting.pop_back();
+        double beyond = -half * root_of_dim;
+        for (std::size_t face = 0; face < hull.normals.size(); ++face)
+            beyond = (std::max)(beyond, hull.normals[face].dot(centre) - hull.offsets[face]);
+        if (beyond > half * root_of_dim) continue;  // no part of the cube is within the hull
+        const double distance = shape.distance(centre);
+        if (beyond <= 0 && distance > reach) return true;
+        if (distance + half * root_of_dim <= reach || half < reach / 16) continue;
+        for (int part = 0; part < 1 << Dim; ++part) {
+            Vector<Dim> middle = centre;
+            for (int axis = 0; axis < Dim; ++axis)
+                middle[axis] += (part >> axis & 1) != 0 ? half / 2 : -half / 2;
+            waiting.push_back({middle, half / 2});
+        }
+    }
+    return false;
+}
+
+/// The first level none of whose hulls covers a hollow (hollow_share); the deepest where all do.
+/// Requires: the tree's hulls.
+template <int Dim, DistanceFrom<Dim> Distance>
+[[nodiscard]] int find_entry_level(const SphereTree<Dim>& tree, const Distance& shape) {
+    const double reach = hollow_share * tree.radius[0];
+    for (int level = 0; level + 1 < tree.levels(); ++level) {
+        check_interrupted();
+        const std::vector<int> nodes = tree.level_nodes(level);
+        const bool covers = std::ranges::any_of(nodes, [&](int node) {
+            return stands_out<Dim>(tree.hulls.of(tree.hulls.best(node)), shape, reach);
+        });
+        if (!covers) return level;
+    }
+    return tree.levels() - 1;
+}
+
+}  // namespace lod

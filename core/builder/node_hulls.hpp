@@ -1,0 +1,129 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/builder/fit_hull.hpp"
+#include "lodlab/core/builder/hollows.hpp"
+#include "lodlab/core/builder/piece.hpp"
+#include "lodlab/core/builder/power_diagram.hpp"
+#include "lodlab/core/error.hpp"
+#include "lodlab/core/tree.hpp"
+
+namespace lod {
+
+/// Calls visit(node, piece) for every node of a tree and what it owns of the whole shape: for a
+/// child, what of its parent's piece lies in its cell of the power diagram of the children's balls.
+/// Where visit returns false, no node below is visited.
+/// The order of the nodes is depth first.
+template <int Dim, PieceOf<Dim> Piece, class Visit>
+void visit_pieces(const SphereTree<Dim>& tree, int node, const Piece& owned, const Visit& visit) {
+    check_interrupted();
+    if (!visit(node, owned) || tree.is_leaf(node)) return;
+    std::vector<Sphere<Dim>> balls;
+    const int first = tree.first_child[tree.index(node)];
+    for (int c = 0; c < tree.child_count[tree.index(node)]; ++c)
+        balls.push_back(tree.sphere(first + c));
+    for (std::size_t c = 0; c < balls.size(); ++c)
+        visit_pieces<Dim>(tree, first + static_cast<int>(c),
+                          owned.within(power_cell<Dim>(std::span<const Sphere<Dim>>(balls), c)),
+                          visit);
+}
+
+/// Marks the faces whose middle lies deeper within the shape than `margin` [m].
+template <int Dim, DistanceFrom<Dim> Distance>
+void mark_inner_faces(const Distance& shape, double margin, Hull<Dim>& hull) {
+    for (const std::vector<std::int32_t>& face : hull.faces) {
+        Vector<Dim> middle = Vector<Dim>::Zero();
+        for (const std::int32_t corner : face)
+            middle +=
+                hull.corners[static_cast<std::size_t>(corner)] / static_cast<double>(face.size());
+        hull.inner.push_back(shape.signed_distance(middle) < -margin);
+    }
+}
+
+/// A hull that stands out of the shape by no more than this share of the root ball's radius is
+/// taken for the piece itself.
+inline constexpr double tight_share = 1e-3;
+
+/// How far the hull's faces stand out of the shape, at points spread over them [m].
+template <int Dim, DistanceFrom<Dim> Distance>
+[[nodiscard]] double lid_height(const Distance& shape, const Hull<Dim>& hull) {
+    constexpr int steps = 8;
+    double most = 0;
+    for (const std::vector<std::int32_t>& face : hull.faces) {
+        Vector<Dim> middle = Vector<Dim>::Zero();
+        for (const std::int32_t corner : face)
+            middle +=
+                hull.corners[static_cast<std::size_t>(corner)] / static_cast<double>(face.size());
+        for (const std::int32_t corner : face)
+            for (int step = 0; step <= steps; ++step) {
+                const double share = static_cast<double>(step) / steps;
+                const Vector<Dim> p =
+                    (1 - share) * middle + share * hull.corners[static_cast<std::size_t>(corner)];
+                most = (std::max)(most, static_cast<double>(shape.distance(p)));
+            }
+    }
+    return most;
+}
+
+/// The box about a ball.
+template <int Dim>
+[[nodiscard]] Hull<Dim> hull_of_ball(const Sphere<Dim>& ball, double margin) {
+    const Vector<Dim> half = Vector<Dim>::Constant(ball.radius);
+    const std::array<Vector<Dim>, 2> ends{ball.centre - half, ball.centre + half};
+    return fit_hull<Dim>(ends, ends, {}, margin);
+}
+
+/// Gives the nodes their hulls: convex polygons or polytopes of few faces that hold their pieces,
+/// with rounding_bound(root) to spare; and the tree its entry level. Below a node whose hull is
+/// tight no node has one of its own (NodeHulls::best).
+/// Requires a tree that passes `certify` for the shape.
+template <int Dim, PieceOf<Dim> Piece, DistanceFrom<Dim> Distance>
+void give_hulls(SphereTree<Dim>& tree, const Piece& whole, const Distance& shape) {
+    std::vector<Hull<Dim>> hulls(static_cast<std::size_t>(tree.size()));
+    const double margin = rounding_bound(tree.sphere(0));
+    visit_pieces<Dim>(tree, 0, whole, [&](int node, const Piece& piece) {
+        Hull<Dim>& hull = hulls[static_cast<std::size_t>(node)];
+        if (piece.vertices().empty()) {  // whatever lies in its ball, then
+            hull = hull_of_ball(tree.sphere(node), margin);
+            return true;
+        }
+        const HullHints<Dim> hints = piece.hull_hints();
+        hull = fit_hull<Dim>(piece.vertices(), hints.corners, hints.normals, margin);
+        mark_inner_faces<Dim>(shape, margin, hull);
+        const double out = lid_height<Dim>(shape, hull);
+        hull.tight = out <= tight_share * tree.radius[0];
+        hull.round = protrusion_bound<Dim>(shape, tree.sphere(node)) < out;
+        return !hull.tight;
+    });
+    tree.hulls = {};
+    for (const Hull<Dim>& hull : hulls) tree.hulls.add(hull);
+    tree.hulls.find_best(tree.parent);
+    tree.hulls.entry_level = find_entry_level<Dim>(tree, shape);
+}
+
+/// The certificate of hulls, for any tree and the whole shape: for each level whether every node of
+/// it has a hull (NodeHulls::best) that holds its piece, the piece's vertices lying within each
+/// face by half of rounding_bound(root), and that is a closed surface, so that its corners are
+/// those of the intersection of its faces' half-spaces.
+template <int Dim, PieceOf<Dim> Piece>
+[[nodiscard]] std::vector<char> certify_hulls(const SphereTree<Dim>& tree, const Piece& whole) {
+    std::vector<char> certified(static_cast<std::size_t>(tree.levels()), tree.has_hulls());
+    if (!tree.has_hulls()) return certified;
+    const double margin = rounding_bound(tree.sphere(0)) / 2;
+    visit_pieces<Dim>(tree, 0, whole, [&](int node, const Piece& piece) {
+        const HullView<Dim> hull = tree.hulls.of(tree.hulls.best(node));
+        bool holds = hull.is_closed();
+        for (std::size_t face = 0; face < hull.normals.size() && holds; ++face)
+            holds =
+                piece.vertices().empty() ||
+                support<Dim>(piece.vertices(), hull.normals[face]) <= hull.offsets[face] - margin;
+        certified[static_cast<std::size_t>(tree.level_of(node))] &= static_cast<char>(holds);
+        return true;
+    });
+    return certified;
+}
+
+}  // namespace lod

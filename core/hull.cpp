@@ -1,0 +1,84 @@
+#include "lodlab/core/hull.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace lod {
+
+template <int Dim>
+bool HullView<Dim>::is_closed() const {
+    // In space an edge goes from corner to corner; in the plane a side ends at a corner where
+    // another begins: then from and to are ends of sides.
+    std::vector<std::array<std::int32_t, 2>> edges;
+    for (std::size_t face = 0; face < normals.size(); ++face) {
+        const auto corners_of = loop(face);
+        if (!Space<Dim>::facets_close) {
+            edges.push_back({corners_of[0], -1});
+            edges.push_back({-1, corners_of[1]});
+            continue;
+        }
+        for (std::size_t i = 0; i < corners_of.size(); ++i)
+            edges.push_back({corners_of[i], corners_of[(i + 1) % corners_of.size()]});
+    }
+    std::ranges::sort(edges);
+    if (std::ranges::adjacent_find(edges) != edges.end()) return false;
+    return !edges.empty() && std::ranges::all_of(edges, [&](const auto& edge) {
+        return std::ranges::binary_search(edges, std::array{edge[1], edge[0]});
+    });
+}
+
+template <int Dim>
+void NodeHulls<Dim>::add(const Hull<Dim>& hull) {
+    std::vector<Vector<Dim>> facet;
+    for (const std::vector<std::int32_t>& face : hull.faces) {
+        facet.clear();
+        for (const std::int32_t corner : face)
+            facet.push_back(hull.corners[static_cast<std::size_t>(corner)]);
+        const Vector<Dim> normal = Space<Dim>::area_vector(facet).normalized();
+        double offset = -std::numeric_limits<double>::infinity();
+        for (const Vector<Dim>& corner : facet) offset = std::max(offset, normal.dot(corner));
+        normals_.push_back(normal);
+        offsets_.push_back(offset);
+        loops_.insert(loops_.end(), face.begin(), face.end());
+        loop_begin_.push_back(static_cast<std::int32_t>(loops_.size()));
+    }
+    for (std::size_t face = 0; face < hull.faces.size(); ++face)
+        inner_.push_back(face < hull.inner.size() && hull.inner[face]);
+    tight_.push_back(hull.tight);
+    round_.push_back(hull.round);
+    corners_.insert(corners_.end(), hull.corners.begin(), hull.corners.end());
+    corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+    face_begin_.push_back(static_cast<std::int32_t>(normals_.size()));
+}
+
+template <int Dim>
+void NodeHulls<Dim>::find_best(std::span<const std::int32_t> parent) {
+    best_.resize(tight_.size());
+    for (std::size_t node = 0; node < best_.size(); ++node) {
+        best_[node] = static_cast<std::int32_t>(node);
+        if (parent[node] < 0) continue;
+        const std::int32_t above = best_[static_cast<std::size_t>(parent[node])];
+        if (tight_[static_cast<std::size_t>(above)]) best_[node] = above;
+    }
+}
+
+template <int Dim>
+HullView<Dim> NodeHulls<Dim>::of(int node) const {
+    const auto n = static_cast<std::size_t>(node);
+    const auto corner = static_cast<std::size_t>(corner_begin_[n]);
+    const auto face = static_cast<std::size_t>(face_begin_[n]);
+    const std::size_t corners = static_cast<std::size_t>(corner_begin_[n + 1]) - corner;
+    const std::size_t faces = static_cast<std::size_t>(face_begin_[n + 1]) - face;
+    return {
+        std::span(corners_).subspan(corner, corners),    std::span(normals_).subspan(face, faces),
+        std::span(offsets_).subspan(face, faces),        std::span(inner_).subspan(face, faces),
+        std::span(loop_begin_).subspan(face, faces + 1), loops_};
+}
+
+template struct HullView<2>;
+template struct HullView<3>;
+template class NodeHulls<2>;
+template class NodeHulls<3>;
+
+}  // namespace lod

@@ -1,0 +1,200 @@
+#include "lodlab/core/hull_contact.hpp"
+
+#include <cmath>
+
+#include "lodlab/core/builder/convex_cell.hpp"
+#include "lodlab/core/builder/hollows.hpp"
+#include "tests/catch.hpp"
+#include "tests/core/bodies.hpp"
+
+using namespace lod;
+using namespace lodtest;
+
+namespace {
+
+/// The hull of points whose convex hull's faces are not known.
+template <int Dim>
+Hull<Dim> hull_of(const std::vector<Vector<Dim>>& points,
+                  const std::vector<Vector<Dim>>& normals = {}) {
+    return fit_hull<Dim>(points, points, normals, 1e-12);
+}
+
+/// The corners of a box about the origin.
+template <int Dim>
+std::vector<Vector<Dim>> box_corners(const Vector<Dim>& half) {
+    std::vector<Vector<Dim>> corners;
+    for (int corner = 0; corner < 1 << Dim; ++corner) {
+        corners.push_back(half);
+        for (int axis = 0; axis < Dim; ++axis)
+            if ((corner >> axis & 1) != 0) corners.back()[axis] = -half[axis];
+    }
+    return corners;
+}
+
+template <int Dim>
+NodeHulls<Dim> only(const Hull<Dim>& hull) {
+    NodeHulls<Dim> hulls;
+    hulls.add(hull);
+    return hulls;
+}
+
+template <int Dim>
+PosedHull<Dim> posed(const NodeHulls<Dim>& hulls, const Vector<Dim>& position, double angle = 0) {
+    PosedHull<Dim> hull;
+    const auto turned = Space<Dim>::turned(Space<Dim>::unturned(), planar_spin<Dim>(angle));
+    hull.pose(hulls.of(0), Space<Dim>::rotation(turned), position);
+    return hull;
+}
+
+template <int Dim>
+std::vector<Vector<Dim>> cloud(Random& random, int count) {
+    std::vector<Vector<Dim>> points;
+    for (int i = 0; i < count; ++i) points.push_back(random_vector<Dim>(random, 1));
+    return points;
+}
+
+/// No motion.
+template <int Dim>
+PairMotion<Dim> still(const Vector<Dim>& between) {
+    PairMotion<Dim> motion{};
+    motion.centre_a.setZero();
+    motion.centre_b = between;
+    motion.velocity_a.setZero();
+    motion.velocity_b.setZero();
+    motion.spin_a.setZero();
+    motion.spin_b.setZero();
+    return motion;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE_SIG("the hull of a box is the box", "[hull]", ((int Dim), Dim), 2, 3) {
+    Vector<Dim> half;
+    for (int axis = 0; axis < Dim; ++axis) half[axis] = 0.5 + axis;
+    const Hull<Dim> hull = hull_of<Dim>(box_corners<Dim>(half));
+    CHECK(hull.corners.size() == 1u << Dim);
+    CHECK(hull.faces.size() == 2u * Dim);
+    const NodeHulls<Dim> hulls = only(hull);
+    CHECK(hulls.of(0).is_closed());
+    for (const double offset : hulls.of(0).offsets) CHECK(offset >= 0.5);
+    for (const Vector<Dim>& corner : hull.corners) CHECK((corner.cwiseAbs() - half).norm() <= 2e-7);
+}
+
+TEMPLATE_TEST_CASE_SIG("a hull holds its points, with few faces, and its surface is closed",
+                       "[hull]", ((int Dim), Dim), 2, 3) {
+    Random random(501);
+    for (int trial = 0; trial < 300; ++trial) {
+        auto points = cloud<Dim>(random, 1 + random.below(60));
+        if (trial % 5 == 0)  // flat
+            for (Vector<Dim>& p : points) p[0] = 0.25;
+        std::vector<Vector<Dim>> normals;
+        for (int i = random.below(40); i > 0; --i) normals.push_back(random_unit<Dim>(random));
+        const NodeHulls<Dim> hulls = only(fit_hull<Dim>(points, points, normals, 1e-9));
+        const HullView<Dim> hull = hulls.of(0);
+        CHECK(hull.normals.size() <= static_cast<std::size_t>(most_hull_faces<Dim>));
+        CHECK(hull.corners.size() <= static_cast<std::size_t>(most_hull_corners<Dim>));
+        CHECK(hull.is_closed());
+        for (std::size_t face = 0; face < hull.normals.size(); ++face) {
+            CHECK(support<Dim>(points, hull.normals[face]) <= hull.offsets[face] - 5e-10);
+            CHECK(support<Dim>(hull.corners, hull.normals[face]) <= hull.offsets[face] + 1e-9);
+        }
+    }
+}
+
+TEST_CASE("a polygon of up to sixteen sides is its own hull", "[hull]") {
+    for (int sides = 3; sides <= most_hull_faces<2>; ++sides) {
+        std::vector<Vector<2>> points;
+        std::vector<Vector<2>> normals;
+        for (int i = 0; i < sides; ++i) {
+            const SineCosine corner = sine_cosine(0.1 + 2 * 3.14159265358979 * i / sides);
+            const SineCosine middle = sine_cosine(0.1 + 2 * 3.14159265358979 * (i + 0.5) / sides);
+            points.push_back({corner.cosine, corner.sine});
+            normals.push_back({middle.cosine, middle.sine});
+        }
+        const Hull<2> hull = hull_of<2>(points, normals);
+        CHECK(hull.faces.size() == static_cast<std::size_t>(sides));
+        for (const Vector<2>& corner : hull.corners) CHECK(std::abs(corner.norm() - 1) <= 2e-7);
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("two boxes meet on their faces, where worked by hand", "[hull]",
+                       ((int Dim), Dim), 2, 3) {
+    const NodeHulls<Dim> cube = only(hull_of<Dim>(box_corners<Dim>(Vector<Dim>::Constant(0.5))));
+    // B stands 0.9 to the right and 0.3 up: they overlap by 0.1, from y = -0.2 to 0.5.
+    const Vector<Dim> between = planar<Dim>(0.9, 0.3);
+    const auto found = meet(posed(cube, Vector<Dim>(Vector<Dim>::Zero())), posed(cube, between),
+                            still<Dim>(between), 0);
+    REQUIRE(found.has_value());
+    CHECK((found->normal - planar<Dim>(1, 0)).norm() <= 1e-15);
+    REQUIRE(found->count == Manifold<Dim>::most_points);
+    for (std::size_t i = 0; i < found->count; ++i) {
+        CHECK(std::abs(found->depths[i] - 0.1) <= 2e-7);
+        CHECK(std::abs(found->points[i][0] - 0.45) <= 2e-7);
+        const double y = found->points[i][1];
+        CHECK(std::min(std::abs(y + 0.2), std::abs(y - 0.5)) <= 2e-7);
+    }
+    CHECK_FALSE(meet(posed(cube, Vector<Dim>(Vector<Dim>::Zero())),
+                     posed(cube, planar<Dim>(1.001, 0)), still<Dim>(planar<Dim>(1.001, 0)), 1e-9)
+                    .has_value());
+}
+
+TEMPLATE_TEST_CASE_SIG("a corner that stands on a face is one contact", "[hull]", ((int Dim), Dim),
+                       2, 3) {
+    const NodeHulls<Dim> cube = only(hull_of<Dim>(box_corners<Dim>(Vector<Dim>::Constant(0.5))));
+    const double quarter_turn = 0.5 * 1.5707963267948966;
+    const Vector<Dim> between = planar<Dim>(0.2, 0.5 + std::sqrt(0.5) - 0.01);
+    const auto found = meet(posed(cube, Vector<Dim>(Vector<Dim>::Zero())),
+                            posed(cube, between, quarter_turn), still<Dim>(between), 0);
+    REQUIRE(found.has_value());
+    CHECK((found->normal - planar<Dim>(0, 1)).norm() <= 1e-12);
+    CHECK(found->count == (Dim == 2 ? 1 : 2));  // in space an edge of the cube
+    for (std::size_t i = 0; i < found->count; ++i) {
+        CHECK(std::abs(found->points[i][0] - 0.2) <= 2e-7);
+        CHECK(std::abs(found->depths[i] - 0.01) <= 2e-7);
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("the face that was crossed last is the one they met at", "[hull]",
+                       ((int Dim), Dim), 2, 3) {
+    const NodeHulls<Dim> cube = only(hull_of<Dim>(box_corners<Dim>(Vector<Dim>::Constant(0.5))));
+    // B came down by 0.7 in the last frame: it is now nearer to A's right side than to its top.
+    const Vector<Dim> between = planar<Dim>(0.6, 0.4);
+    PairMotion<Dim> motion = still<Dim>(between);
+    motion.velocity_b = planar<Dim>(0, -70);
+    const auto a = posed(cube, Vector<Dim>(Vector<Dim>::Zero()));
+    const auto b = posed(cube, between);
+    CHECK((meet(a, b, motion, 0)->normal - planar<Dim>(1, 0)).norm() <= 1e-15);
+    motion.time_step = 0.01;
+    CHECK((meet(a, b, motion, 0)->normal - planar<Dim>(0, 1)).norm() <= 1e-15);
+}
+
+TEMPLATE_TEST_CASE_SIG("hulls that share a point are never proved apart", "[hull]",
+                       ((int Dim), Dim), 2, 3) {
+    Random random(502);
+    int apart = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const auto points_a = cloud<Dim>(random, 4 + random.below(12));
+        const auto points_b = cloud<Dim>(random, 4 + random.below(12));
+        const NodeHulls<Dim> a = only(hull_of<Dim>(points_a));
+        const NodeHulls<Dim> b = only(hull_of<Dim>(points_b));
+        const Vector<Dim> between = random_vector<Dim>(random, 2.5);
+        const auto found = meet(posed(a, Vector<Dim>(Vector<Dim>::Zero())), posed(b, between),
+                                still<Dim>(between), 1e-12);
+        apart += !found;
+        // What both half-space intersections hold, by cutting one with the other.
+        ConvexCell<Dim> both(Box<Dim>(Vector<Dim>::Constant(-5), Vector<Dim>::Constant(5)));
+        for (std::size_t i = 0; i < a.of(0).normals.size(); ++i)
+            both.clip({a.of(0).normals[i], a.of(0).offsets[i], true});
+        for (std::size_t i = 0; i < b.of(0).normals.size(); ++i)
+            both.clip(
+                {b.of(0).normals[i], b.of(0).offsets[i] + b.of(0).normals[i].dot(between), true});
+        if (!both.empty()) CHECK(found.has_value());
+        if (found) {
+            CHECK(std::abs(found->normal.norm() - 1) <= 1e-12);
+            CHECK(found->count >= 1);
+            if (Dim == 2) CHECK_FALSE(both.empty());
+        }
+    }
+    CHECK(apart > 200);
+    CHECK(apart < 1800);
+}
