@@ -50,15 +50,16 @@ inline constexpr double tight_share = 1e-3;
 /// How far the hull's faces stand out of the shape, at points spread over them [m].
 template <int Dim, DistanceFrom<Dim> Distance>
 [[nodiscard]] double lid_height(const Distance& shape, const Hull<Dim>& hull) {
-    constexpr int steps = 8;
+    constexpr int steps = 4;
     double most = 0;
     for (const std::vector<std::int32_t>& face : hull.faces) {
         Vector<Dim> middle = Vector<Dim>::Zero();
         for (const std::int32_t corner : face)
             middle +=
                 hull.corners[static_cast<std::size_t>(corner)] / static_cast<double>(face.size());
+        most = (std::max)(most, static_cast<double>(shape.distance(middle)));
         for (const std::int32_t corner : face)
-            for (int step = 0; step <= steps; ++step) {
+            for (int step = 1; step <= steps; ++step) {
                 const double share = static_cast<double>(step) / steps;
                 const Vector<Dim> p =
                     (1 - share) * middle + share * hull.corners[static_cast<std::size_t>(corner)];

@@ -8,6 +8,7 @@
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"
+#include "tests/sanitized.hpp"
 
 using namespace lod2d;
 
@@ -22,7 +23,7 @@ lod::SphereTree<2> tree_of(const char* spec, int depth = 3) {
 }  // namespace
 
 TEST_CASE("every builder's hulls hold the pieces of their nodes", "[hulls]") {
-    check_property(22, 40, [] {
+    check_property(22, lodtest::sanitized ? 3 : 25, [] {
         const Shape shape = random_shape();
         const PolygonPiece whole(shape.polygon);
         for (const Builder builder : builders()) {
