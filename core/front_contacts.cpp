@@ -85,6 +85,20 @@ void FrontContacts<Dim>::find_patches(const PosedTree<Dim>& a, const PosedTree<D
     }
 }
 
+template <int Dim>
+std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedTree<Dim>& a,
+                                                            const PosedTree<Dim>& b,
+                                                            const NodePair& nodes,
+                                                            const PairMotion<Dim>& motion) {
+    const NodeHulls<Dim>& hulls_a = a.tree().hulls;
+    const NodeHulls<Dim>& hulls_b = b.tree().hulls;
+    if (hulls_a.is_round(nodes.a) && hulls_b.is_round(nodes.b))
+        return meet_balls(a, b, nodes, motion);
+    hull_a_.pose(hulls_a.of(nodes.a), a.rotation(), motion.centre_a);
+    hull_b_.pose(hulls_b.of(nodes.b), b.rotation(), motion.centre_b);
+    return meet(hull_a_, hull_b_, motion, a.rounding() + b.rounding());
+}
+
 /// Every pair of nodes whose hulls meet is a patch.
 template <int Dim>
 void FrontContacts<Dim>::model_hulls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
@@ -100,15 +114,10 @@ void FrontContacts<Dim>::model_hulls(const PosedTree<Dim>& a, const PosedTree<Di
         return std::tuple(spoken.best.a, spoken.best.b, spoken.pair);
     });
     touches_.clear();
-    const double slack = a.rounding() + b.rounding();
     for (std::size_t first = 0, end = 0; first < spoken_.size(); first = end) {
         const NodePair best = spoken_[first].best;
         while (end < spoken_.size() && spoken_[end].best == best) ++end;
-        const bool round = hulls_a.is_round(best.a) && hulls_b.is_round(best.b);
-        hull_a_.pose(hulls_a.of(best.a), a.rotation(), motion.centre_a);
-        hull_b_.pose(hulls_b.of(best.b), b.rotation(), motion.centre_b);
-        const std::optional<Manifold<Dim>> manifold =
-            round ? meet_balls(a, b, best, motion) : meet(hull_a_, hull_b_, motion, slack);
+        const std::optional<Manifold<Dim>> manifold = meet_nodes(a, b, best, motion);
         if (!manifold) continue;
         const Range nodes{static_cast<std::int32_t>(found.node_pairs.size()),
                           static_cast<std::int32_t>(end - first)};

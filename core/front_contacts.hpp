@@ -81,6 +81,10 @@ class FrontContacts {
     void model_hulls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
                      std::span<const NodePair> pairs, const PairMotion<Dim>& motion,
                      FrontModel<Dim>& found);
+    [[nodiscard]] std::optional<Manifold<Dim>> meet_nodes(const PosedTree<Dim>& a,
+                                                          const PosedTree<Dim>& b,
+                                                          const NodePair& nodes,
+                                                          const PairMotion<Dim>& motion);
     void keep_deepest();
     void model_balls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
                      std::span<const NodePair> pairs, ContactModel contact_model,

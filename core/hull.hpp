@@ -8,6 +8,13 @@
 
 namespace lod {
 
+/// Faces of a node's hull at most.
+template <int Dim>
+inline constexpr int most_hull_faces = Dim * 8;
+/// Corners of one: in the plane as many as faces; in space no polytope has more than 2 F - 4.
+template <int Dim>
+inline constexpr int most_hull_corners = (Dim - 1) * most_hull_faces<Dim>;
+
 /// A convex polygon or polytope. Metres.
 template <int Dim>
 struct Hull {
@@ -22,6 +29,14 @@ struct Hull {
     bool tight = false;
     /// Whether the node's ball stands out of the shape less than the hull does.
     bool round = false;
+
+    /// The mean of a face's corners.
+    [[nodiscard]] Vector<Dim> middle(const std::vector<std::int32_t>& face) const {
+        Vector<Dim> middle = Vector<Dim>::Zero();
+        for (const std::int32_t corner : face)
+            middle += corners[static_cast<std::size_t>(corner)] / static_cast<double>(face.size());
+        return middle;
+    }
 };
 
 /// One hull of many, in whatever frame they stand.

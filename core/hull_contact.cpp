@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "lodlab/core/clip.hpp"
+
 namespace lod {
 namespace {
 
@@ -83,18 +85,10 @@ struct Facet {
     void clip(const Vector<Dim>& normal, double offset) {
         const std::array<Vector<Dim>, 2 * most_hull_corners<Dim>> before = corners;
         const std::size_t end = std::exchange(count, 0);
-        if (end == 0) return;
-        std::size_t from = Space<Dim>::facets_close ? end - 1 : 0;
-        double side_from = normal.dot(before[from]) - offset;
-        for (std::size_t to = 0; to < end; ++to) {
-            const double side_to = normal.dot(before[to]) - offset;
-            if ((side_from < 0 && side_to > 0) || (side_from > 0 && side_to < 0))
-                corners[count++] = before[from] + (side_from / (side_from - side_to)) *
-                                                      (before[to] - before[from]);
-            if (side_to <= 0) corners[count++] = before[to];
-            from = to;
-            side_from = side_to;
-        }
+        clip_corners<Dim>(
+            std::span(before).first(end), Space<Dim>::facets_close,
+            [&](const Vector<Dim>& p) { return normal.dot(p) - offset; },
+            [&](const Vector<Dim>& p) { corners[count++] = p; });
     }
 
     /// Keeps the corners below the plane of a face, and of those few: the farthest from their

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/contact.hpp"
+#include "lodlab/core/hull.hpp"
 
 namespace lod {
 
@@ -71,10 +71,10 @@ struct Manifold {
 
 /// Where two hulls meet (METHOD.md, node hulls). Of the faces of both, inner ones left out, that
 /// along which the hulls overlap least gives the normal; but where some were crossed within the
-/// last time step, the one crossed last, for that is where the bodies met. The facet that lies
-/// against the face, clipped to it, gives the points, as far as they are within, halfway between
-/// the two surfaces. Returns nothing where some face separates the hulls by more than `slack` [m]:
-/// a proof that what they hold is apart.
+/// last time step, as the centres of mass move, the one crossed last: there the bodies met. The
+/// facet that lies against the face, clipped to it, gives the points, as far as they are within,
+/// halfway between the two surfaces. Returns nothing where some face separates the hulls by more
+/// than `slack` [m]: a proof that what they hold is apart.
 template <int Dim>
 [[nodiscard]] std::optional<Manifold<Dim>> meet(const PosedHull<Dim>& a, const PosedHull<Dim>& b,
                                                 const PairMotion<Dim>& motion, double slack);

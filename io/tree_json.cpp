@@ -6,7 +6,6 @@
 #include <numeric>
 #include <utility>
 
-#include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lodlab/core/builder/piece.hpp"
+#include "lodlab/core/clip.hpp"
 #include "lodlab/lod2d/convex_hull.hpp"
 
 namespace lod2d {
@@ -18,7 +19,7 @@ Point cut(const Point& p, double p_side, const Point& q, double q_side) {
     return p + (p_side / (p_side - q_side)) * (q - p);
 }
 
-/// What of a convex polygon lies in the half-plane (Sutherland and Hodgman), in place.
+/// What of a convex polygon lies in the half-plane, in place.
 void clip(Corners& corners, const HalfPlane& keep, Corners& scratch) {
     scratch.clear();
     bool any_inside = false;
@@ -32,18 +33,10 @@ void clip(Corners& corners, const HalfPlane& keep, Corners& scratch) {
         if (!any_inside && !keep.keeps_border) corners.clear();
         return;
     }
-    if (any_inside) {
-        Point p = corners.back();
-        double p_side = keep.side(p);
-        for (const Point& q : corners) {
-            const double q_side = keep.side(q);
-            if ((p_side < 0 && q_side > 0) || (p_side > 0 && q_side < 0))
-                scratch.push_back(cut(p, p_side, q, q_side));
-            if (q_side <= 0) scratch.push_back(q);
-            p = q;
-            p_side = q_side;
-        }
-    }
+    if (any_inside)
+        lod::clip_corners<2>(
+            corners, true, [&](const Point& p) { return keep.side(p); },
+            [&](const Point& p) { scratch.push_back(p); });
     corners.swap(scratch);
     if (corners.size() < 3) corners.clear();
 }

@@ -153,7 +153,8 @@ lod::HullHints<3> MeshPiece::hull_hints() const {
         [&](std::span<const Point> polygon) { add_normal(area_vector(polygon), hints.normals); });
     for (const auto& face : cell_.faces()) add_normal(face.side.normal, hints.normals);
     if (hints.normals.size() > most_known_normals) hints.normals.clear();
-    for (const Point& direction : spread_directions(search_directions)) {
+    static const std::vector<Point> directions = spread_directions(search_directions);
+    for (const Point& direction : directions) {
         const Point& p = *std::ranges::max_element(
             points_, {}, [&](const Point& q) { return direction.dot(q); });
         if (std::ranges::find(hints.corners, p) == hints.corners.end()) hints.corners.push_back(p);

@@ -3,24 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lodlab/core/clip.hpp"
+
 namespace lod {
 
 template <int Dim>
 std::size_t clip_facet(std::span<const Vector<Dim>> facet, const HalfSpace<Dim>& side,
                        std::vector<Vector<Dim>>& out) {
     const std::size_t before = out.size();
-    if (facet.empty()) return 0;
-    // A polygon closes; a segment only goes from its first corner to its last.
-    const Vector<Dim>* from = Space<Dim>::facets_close ? &facet.back() : &facet.front();
-    double side_from = side.side(*from);
-    for (const Vector<Dim>& to : facet) {
-        const double side_to = side.side(to);
-        if ((side_from < 0 && side_to > 0) || (side_from > 0 && side_to < 0))
-            out.push_back(*from + (side_from / (side_from - side_to)) * (to - *from));
-        if (side_to <= 0) out.push_back(to);
-        from = &to;
-        side_from = side_to;
-    }
+    clip_corners<Dim>(
+        facet, Space<Dim>::facets_close, [&](const Vector<Dim>& p) { return side.side(p); },
+        [&](const Vector<Dim>& p) { out.push_back(p); });
     if (out.size() - before < static_cast<std::size_t>(Dim)) out.resize(before);
     return out.size() - before;
 }

@@ -9,8 +9,8 @@
 namespace lod {
 
 /// Appends the part of a facet (a segment in the plane, a convex polygon in space) that lies in the
-/// half-space. Cut points stand between the two corners of the cut side, so that they stray from
-/// neither. Returns how many corners were added; a part of fewer than Dim is dropped.
+/// half-space (clip_corners). Returns how many corners were added; a part of fewer than Dim is
+/// dropped.
 template <int Dim>
 std::size_t clip_facet(std::span<const Vector<Dim>> facet, const HalfSpace<Dim>& side,
                        std::vector<Vector<Dim>>& out);

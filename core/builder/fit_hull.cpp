@@ -34,8 +34,8 @@ class HullFit {
     }
 
     /// With so many cuts at most.
-    Hull<Dim> run(std::span<const Vector<Dim>> normals, int most_faces) {
-        most_faces_ = most_faces;
+    Hull<Dim> run(std::span<const Vector<Dim>> normals, int most_cuts) {
+        most_cuts_ = most_cuts;
         cuts_ = 0;
         cell_ = ConvexCell<Dim>(box_);
         cut_along(normals);
@@ -44,7 +44,7 @@ class HullFit {
     }
 
   private:
-    [[nodiscard]] bool full() const { return cuts_ >= most_faces_; }
+    [[nodiscard]] bool full() const { return cuts_ >= most_cuts_; }
 
     void cut(const Vector<Dim>& normal) {
         ++cuts_;
@@ -188,7 +188,7 @@ class HullFit {
     std::span<const Vector<Dim>> corners_;
     double margin_;
     double size_ = 0;
-    int most_faces_ = 0;  ///< cuts, at most; sides of the first box may be left besides
+    int most_cuts_ = 0;  ///< sides of the first box may be left besides
     int cuts_ = 0;
     Box<Dim> box_;
     ConvexCell<Dim> cell_;
@@ -209,14 +209,14 @@ Hull<Dim> fit_hull(std::span<const Vector<Dim>> points, std::span<const Vector<D
     HullFit<Dim> fit(points, corners, margin);
     // Where sides of the first box are left, or rounding leaves corners that hardly differ, fewer
     // cuts make a sound hull; none leaves the box.
-    int faces = most_hull_faces<Dim>;
-    for (;; --faces) {
-        Hull<Dim> hull = fit.run(normals, faces);
+    int cuts = most_hull_faces<Dim>;
+    for (;; --cuts) {
+        Hull<Dim> hull = fit.run(normals, cuts);
         NodeHulls<Dim> one;
         one.add(hull);
         const bool few = static_cast<int>(hull.corners.size()) <= most_hull_corners<Dim> &&
                          static_cast<int>(hull.faces.size()) <= most_hull_faces<Dim>;
-        if ((few && one.of(0).is_closed()) || faces == 0) return hull;
+        if ((few && one.of(0).is_closed()) || cuts == 0) return hull;
     }
 }
 

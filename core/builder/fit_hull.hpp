@@ -6,13 +6,6 @@
 
 namespace lod {
 
-/// Faces of a node's hull at most.
-template <int Dim>
-inline constexpr int most_hull_faces = Dim * 8;
-/// Corners of one: in the plane as many as faces; in space no polytope has more than 2 F - 4.
-template <int Dim>
-inline constexpr int most_hull_corners = (Dim - 1) * most_hull_faces<Dim>;
-
 /// A convex polygon or polytope of at most most_hull_faces faces that holds all points, with
 /// `margin` to spare [m], and stands out of their convex hull as little as its faces allow: from
 /// the box along the axes, face after face, each where the rest stands out furthest. `corners` are

@@ -35,11 +35,7 @@ void visit_pieces(const SphereTree<Dim>& tree, int node, const Piece& owned, con
 template <int Dim, DistanceFrom<Dim> Distance>
 void mark_inner_faces(const Distance& shape, double margin, Hull<Dim>& hull) {
     for (const std::vector<std::int32_t>& face : hull.faces) {
-        Vector<Dim> middle = Vector<Dim>::Zero();
-        for (const std::int32_t corner : face)
-            middle +=
-                hull.corners[static_cast<std::size_t>(corner)] / static_cast<double>(face.size());
-        hull.inner.push_back(shape.signed_distance(middle) < -margin);
+        hull.inner.push_back(shape.signed_distance(hull.middle(face)) < -margin);
     }
 }
 
@@ -53,10 +49,7 @@ template <int Dim, DistanceFrom<Dim> Distance>
     constexpr int steps = 4;
     double most = 0;
     for (const std::vector<std::int32_t>& face : hull.faces) {
-        Vector<Dim> middle = Vector<Dim>::Zero();
-        for (const std::int32_t corner : face)
-            middle +=
-                hull.corners[static_cast<std::size_t>(corner)] / static_cast<double>(face.size());
+        const Vector<Dim> middle = hull.middle(face);
         most = (std::max)(most, static_cast<double>(shape.distance(middle)));
         for (const std::int32_t corner : face)
             for (int step = 1; step <= steps; ++step) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lodlab/core/builder/convex_cell.hpp"
+#include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/builder/hollows.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"

@@ -327,20 +327,6 @@ TEMPLATE_TEST_CASE_SIG("an island does not see what happens on another", "[respo
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("bodies that share only a static body are two islands", "[response]",
-                       ((int Dim), Dim), 2, 3) {
-    // Two balls on one floor: the fast one must not share its impulse with the slow one.
-    std::vector<Body<Dim>> bodies{immovable<Dim>(), planar_body<Dim>(1, 1, {-5, 1}, {0, -1}),
-                                  planar_body<Dim>(1, 1, {5, 1}, {0, -3})};
-    bodies[1].restitution = 0;
-    resolve<Dim>(Response::net,
-                 {{0, 1, 0, planar_contact<Dim>({-5, 0}, {0, 1})},
-                  {0, 2, 1, planar_contact<Dim>({5, 0}, {0, 1})}},
-                 bodies);
-    CHECK(bodies[1].velocity[1] == Approx(0).margin(1e-15));
-    CHECK(bodies[2].velocity[1] == Approx(3));
-}
-
 TEMPLATE_TEST_CASE_SIG("the order of the contacts changes nothing but rounding", "[response]",
                        ((int Dim), Dim), 2, 3) {
     Random random(48);
