@@ -60,19 +60,19 @@ class LevelQuery {
     lod::Verdict operator()(const Meeting& m, int level) {
         a_.pose(m.a);
         b_.pose(m.b);
-        front_.clear();
-        lod::test_roots(a_, b_, front_);
+        list_.clear();
+        lod::test_roots(a_, b_, front_, list_);
         lod::Budget budget = lod::Budget::unlimited();
-        while (front_.level < level && !front_.finest && !front_.pairs.empty())
-            static_cast<void>(lod::refine(a_, b_, budget, front_, scratch_));
-        return front_.pairs.empty() ? lod::Verdict::apart : front_.verdict;
+        while (front_.level < level && !front_.finest && front_.pairs.count > 0)
+            static_cast<void>(lod::refine(a_, b_, budget, front_, list_));
+        return front_.pairs.count == 0 ? lod::Verdict::apart : front_.verdict;
     }
 
   private:
     lod::PosedTree<3> a_;
     lod::PosedTree<3> b_;
-    lod::Front front_;
-    std::vector<lod::NodePair> scratch_;
+    lod::FrontList list_;
+    lod::ListedFront front_;
 };
 
 /// What is true of a pair of poses.

@@ -110,9 +110,10 @@ class Traverser {
         std::uint64_t tests = 0;
         for (std::size_t i = 0; i < world_S_.size(); ++i) world_S_[i].pose(scene_.bodies[i]);
         for (std::size_t i = 0; i < world_S_.size(); i += 2) {
-            test_roots(world_S_[i], world_S_[i + 1], front_);
-            while (!front_.finest && refine(world_S_[i], world_S_[i + 1], budget, front_,
-                                            scratch_) == Refinement::finished) {
+            list_.clear();
+            test_roots(world_S_[i], world_S_[i + 1], front_, list_);
+            while (!front_.finest && refine(world_S_[i], world_S_[i + 1], budget, front_, list_) ==
+                                         Refinement::finished) {
             }
             tests += front_.tests;
         }
@@ -122,8 +123,8 @@ class Traverser {
   private:
     const Scene<Dim>& scene_;
     std::vector<PosedTree<Dim>> world_S_;
-    Front front_;
-    std::vector<NodePair> scratch_;
+    ListedFront front_;
+    FrontList list_;
 };
 
 template <int Dim>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lodlab/core/bit_hash.hpp"
 #include "lodlab/core/error.hpp"
 
 namespace lod {
@@ -29,10 +30,14 @@ template <int Dim>
 BallUnion<Dim>::BallUnion(std::vector<Sphere<Dim>> balls) : balls_(std::move(balls)) {
     if (balls_.empty())
         throw Error(ErrorKind::input_refused, "a union of no balls is no shape; give it one");
+    BitHash hash;
     for (const Sphere<Dim>& ball : balls_) {
+        hash.add(ball.centre);
+        hash.add(ball.radius);
         centres_.push_back(ball.centre);
         radius_ = std::max(radius_, ball.centre.norm() + ball.radius);
     }
+    hash_ = hash.value();
 }
 
 template <int Dim>

@@ -16,6 +16,7 @@ class BallUnion final : public ExactShape<Dim> {
     BallUnion(const SphereTree<Dim>& tree, int level);
 
     [[nodiscard]] double radius() const override { return radius_; }
+    [[nodiscard]] std::uint64_t hash() const override { return hash_; }
     [[nodiscard]] std::span<const Vector<Dim>> witnesses() const override { return centres_; }
     [[nodiscard]] bool holds(const Vector<Dim>& p) const override;
     void visit_pairs(const ExactShape<Dim>& b, const Placement<Dim>& b_in_a,
@@ -29,6 +30,7 @@ class BallUnion final : public ExactShape<Dim> {
     std::vector<Sphere<Dim>> balls_;
     std::vector<Vector<Dim>> centres_;
     double radius_ = 0;
+    std::uint64_t hash_ = 0;
 };
 
 extern template class BallUnion<2>;

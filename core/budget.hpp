@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace lod {
 
@@ -19,43 +20,62 @@ class SteadyClock final : public Clock {
     [[nodiscard]] std::chrono::nanoseconds now() const override;
 };
 
+/// Where a budget ended a frame: all that it takes to play the frame again.
+struct Cut {
+    std::int32_t pair = 0;    ///< number of the candidate pair that was refined
+    std::int32_t level = 0;   ///< in the making; one beyond the leaves for the true shapes
+    std::uint64_t tests = 0;  ///< node tests of that level, all lost
+    friend bool operator==(const Cut&, const Cut&) = default;
+};
+
 /// What a frame may spend on collision handling (section 5.1): a number of node tests, which is
-/// exactly repeatable, or a time on a clock. The time of the response is reserved: refinement stops
-/// when `spent + reserved contacts x cost of one contact >= quota`, and a level whose contacts the
-/// rest of the quota could not resolve is not kept.
+/// exactly repeatable, or a time on a clock. The cost of what follows is reserved: refinement stops
+/// when `spent + reserved node pairs x cost of one >= quota`, and a level whose node pairs the rest
+/// of the quota could not pay for is not kept.
 class Budget {
   public:
     static Budget unlimited();
-    /// A contact's cost is in node tests.
-    static Budget node_tests(std::uint64_t quota, double contact_cost = 0);
+    /// `pair_cost`: of a node pair of a front, its modelling and its share of the response, in node
+    /// tests.
+    static Budget node_tests(std::uint64_t quota, double pair_cost = 0);
     /// The quota counts from now on. The clock must outlive the budget.
     static Budget deadline(const Clock& clock, std::chrono::nanoseconds quota,
-                           std::chrono::nanoseconds contact_cost = {});
+                           std::chrono::nanoseconds pair_cost = {});
+    /// Ends where another budget did, for the same bodies and settings.
+    static Budget until(const Cut& cut);
+
+    /// Says what the next tests are for: a candidate pair and the level in the making.
+    void begin(std::int32_t pair, std::int32_t level);
 
     /// Asks for `wanted` node tests and returns how many may be done. Fewer than wanted means that
-    /// the budget ended there; from then on it grants nothing. `more_contacts` are those that the
-    /// level in the making has found beyond the reserved ones.
-    [[nodiscard]] std::uint64_t grant(std::uint64_t wanted, std::uint64_t more_contacts = 0);
+    /// the budget ended there; from then on it grants nothing. `more_pairs` are the node pairs that
+    /// the level in the making has found beyond the reserved ones.
+    [[nodiscard]] std::uint64_t grant(std::uint64_t wanted, std::uint64_t more_pairs = 0);
 
-    /// Whether the response to `more_contacts` beyond the reserved ones can be paid as well. If
-    /// not, the budget ended: the level that brought them must be dropped. Its last test then does
-    /// not count as spent, so that a quota of spent() node tests ends within the same level.
-    [[nodiscard]] bool keeps_level(std::uint64_t more_contacts);
+    /// Whether what follows from `more_pairs` beyond the reserved ones can be paid as well. If not,
+    /// the budget ended: the level that brought them must be dropped.
+    [[nodiscard]] bool keeps_level(std::uint64_t more_pairs);
 
-    /// Node tests that are done whatever the budget says: level 0 of every pair, the method's one
-    /// requirement. They count as spent.
+    /// Node tests that are done whatever the budget says: the entry level of every pair, the
+    /// method's one requirement. They count as spent.
     void spend(std::uint64_t tests) { spent_ += tests; }
 
-    /// The number of contacts that the response will have to resolve.
-    void reserve_contacts(std::uint64_t contacts);
+    /// The number of node pairs that will have to be modelled and answered.
+    void reserve(std::uint64_t node_pairs);
 
     [[nodiscard]] std::uint64_t spent() const { return spent_; }
+    [[nodiscard]] bool is_unlimited() const {
+        return clock_ == nullptr && quota_ == no_limit && !until_;
+    }
     [[nodiscard]] bool ended() const { return ended_; }
+    /// Where it ended; nothing where it did not.
+    [[nodiscard]] std::optional<Cut> cut() const;
 
   private:
-    [[nodiscard]] std::uint64_t tests_left(std::uint64_t more_contacts);
-    [[nodiscard]] std::uint64_t test_limit(std::uint64_t contacts) const;
-    [[nodiscard]] bool past_deadline(std::uint64_t contacts) const;
+    [[nodiscard]] std::uint64_t tests_left(std::uint64_t more_pairs);
+    [[nodiscard]] std::uint64_t test_limit(std::uint64_t node_pairs) const;
+    [[nodiscard]] bool past_deadline(std::uint64_t node_pairs) const;
+    [[nodiscard]] bool is_at_cut() const;
 
     static constexpr std::uint64_t no_limit = (std::numeric_limits<std::uint64_t>::max)();
     /// A clock is read once in so many tests: reading it costs about as much as ten tests.
@@ -63,12 +83,15 @@ class Budget {
 
     const Clock* clock_ = nullptr;
     std::chrono::nanoseconds deadline_{};
+    std::optional<Cut> until_;
     std::uint64_t quota_ = no_limit;
-    double contact_cost_ = 0;  ///< node tests, or nanoseconds when there is a clock
-    std::uint64_t contacts_ = 0;
-    std::uint64_t limit_ = no_limit;  ///< of spent_: the quota less what the contacts reserve
+    double pair_cost_ = 0;  ///< node tests, or nanoseconds when there is a clock
+    std::uint64_t node_pairs_ = 0;
+    std::uint64_t limit_ = no_limit;  ///< of spent_: the quota less what the node pairs reserve
     std::uint64_t spent_ = 0;
     std::uint64_t next_reading_ = 0;
+    Cut at_;                          ///< pair and level in the making
+    std::uint64_t spent_before_ = 0;  ///< them
     bool ended_ = false;
 };
 

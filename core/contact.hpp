@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "lodlab/core/body.hpp"
@@ -13,6 +14,11 @@ struct Contact {
     Vector<Dim> normal = Vector<Dim>::Zero();  ///< unit, from body A towards body B
     double depth = 0;                          ///< overlap of the two balls, >= 0
 };
+
+/// Points of one place where two bodies touch, at most: with one normal the closing velocity is
+/// affine in the point, so that the extremes decide.
+template <int Dim>
+inline constexpr std::size_t most_patch_points = 2 * (Dim - 1);
 
 /// Where on the centre line two overlapping balls are taken to touch.
 enum class PointModel {

@@ -106,6 +106,8 @@ class ExactShape {
 
     /// Of the ball about the origin, the centre of mass, that holds the shape [m].
     [[nodiscard]] virtual double radius() const = 0;
+    /// Of all that the shape is (BitHash).
+    [[nodiscard]] virtual std::uint64_t hash() const = 0;
     /// A point of each closed piece of the boundary: a shape whose boundary meets no other boundary
     /// lies inside another shape exactly if one of these does.
     [[nodiscard]] virtual std::span<const Vector<Dim>> witnesses() const = 0;

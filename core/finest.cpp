@@ -93,27 +93,27 @@ namespace {
 /// Whether a body that moves is in a collision of the frame beside the pair's own.
 template <int Dim>
 bool collides_elsewhere(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
-                        const std::vector<Front>& fronts, std::size_t own) {
+                        const Fronts& fronts, std::size_t own) {
     const auto shares = [&](std::int32_t body, const CandidatePair& other) {
         return !bodies[at(body)].is_static() && (other.a == body || other.b == body);
     };
     for (std::size_t p = 0; p < pairs.size(); ++p)
-        if (p != own && !fronts[p].pairs.empty() &&
+        if (p != own && fronts.of_pair[p].pairs.count > 0 &&
             (shares(pairs[own].a, pairs[p]) || shares(pairs[own].b, pairs[p])))
             return true;
     return false;
 }
 
 /// A front that the true shapes proved wrong: the nodes overlap, the bodies don't.
-void clear_contacts(Front& front) {
-    front.pairs.clear();
+void clear_contacts(ListedFront& front) {
+    front.pairs.count = 0;
     front.verdict = Verdict::apart;
 }
 
 template <int Dim>
 void settle_backtracking(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
-                         const FinestDetail& detail, double time_step,
-                         const std::vector<Front>& fronts, std::vector<FinestPair<Dim>>& found) {
+                         const FinestDetail& detail, double time_step, const Fronts& fronts,
+                         std::vector<FinestPair<Dim>>& found) {
     for (FinestPair<Dim>& pair : found) {
         if (pair.touch.verdict == ExactVerdict::apart) continue;
         const std::size_t p = at(pair.pair);
@@ -129,55 +129,52 @@ void settle_backtracking(std::span<const Body<Dim>> bodies, std::span<const Cand
 }  // namespace
 
 template <int Dim>
-bool refine_finest(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
+void refine_finest(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
                    std::span<const std::int32_t> order, const FinestDetail& detail,
-                   double time_step, Budget& budget, std::vector<Front>& fronts,
+                   double time_step, Budget& budget, Fronts& fronts,
                    std::vector<FinestPair<Dim>>& found) {
     found.clear();
-    if (detail.level == Finest::leaves) return false;
-    std::uint64_t contacts = 0;
-    for (std::size_t p = 0; p < pairs.size(); ++p) contacts += fronts[p].pairs.size();
+    if (detail.level == Finest::leaves) return;
+    std::uint64_t node_pairs = 0;
+    for (const ListedFront& front : fronts.of_pair)
+        node_pairs += static_cast<std::uint64_t>(front.pairs.count);
     int asked = 0;
-    bool interrupted = false;
     for (std::int32_t i : order) {
-        Front& front = fronts[at(i)];
+        ListedFront& front = fronts.of_pair[at(i)];
         const Body<Dim>& a = bodies[at(pairs[at(i)].a)];
         const Body<Dim>& b = bodies[at(pairs[at(i)].b)];
         const bool ripe = front.finest && front.verdict == Verdict::true_collision;
         if (!ripe || !a.exact || !b.exact) continue;
         if (asked == detail.most_pairs) break;
         ++asked;
-        budget.reserve_contacts(contacts);
+        budget.reserve(node_pairs);
+        budget.begin(i, front.level + 1);
         const std::uint64_t paid = budget.grant(detail.cost);
         front.tests += paid;
-        interrupted = paid < detail.cost;
-        if (interrupted) break;
+        if (paid < detail.cost) break;
         auto touch = exact_contact(a, b, time_step, detail.tolerance);
+        // A contact of the true shapes costs what a node pair does.
+        const std::uint64_t fewer = static_cast<std::uint64_t>(front.pairs.count);
+        const std::uint64_t more =
+            touch.verdict == ExactVerdict::unresolved ? fewer : touch.contacts.size();
+        if (!budget.keeps_level(more > fewer ? more - fewer : 0)) break;
         if (touch.verdict == ExactVerdict::unresolved) continue;
-        const std::uint64_t more = touch.contacts.size();
-        const std::uint64_t fewer = front.pairs.size();
-        if (more > fewer && !budget.keeps_level(more - fewer)) {
-            if (front.tests > 0) --front.tests;
-            interrupted = true;
-            break;
-        }
-        contacts += more;
-        contacts -= fewer;
+        node_pairs += more;
+        node_pairs -= fewer;
         if (touch.verdict == ExactVerdict::apart) clear_contacts(front);
         found.push_back({i, false, std::move(touch), {}});
     }
     settle_backtracking(bodies, pairs, detail, time_step, fronts, found);
     std::ranges::sort(found, {}, &FinestPair<Dim>::pair);
-    return interrupted;
 }
 
 #define LOD_INSTANTIATE(Dim)                                                                      \
     template ExactContact<Dim> exact_contact(const Body<Dim>&, const Body<Dim>&, double, double); \
     template std::vector<Contact<Dim>> carried_contacts(const ExactContact<Dim>&,                 \
                                                         const Body<Dim>&, const Body<Dim>&);      \
-    template bool refine_finest(std::span<const Body<Dim>>, std::span<const CandidatePair>,       \
+    template void refine_finest(std::span<const Body<Dim>>, std::span<const CandidatePair>,       \
                                 std::span<const std::int32_t>, const FinestDetail&, double,       \
-                                Budget&, std::vector<Front>&, std::vector<FinestPair<Dim>>&);
+                                Budget&, Fronts&, std::vector<FinestPair<Dim>>&);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

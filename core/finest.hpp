@@ -4,10 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/broad_phase.hpp"
-#include "lodlab/core/budget.hpp"
+#include "lodlab/core/schedule.hpp"
 #include "lodlab/core/time_of_impact.hpp"
-#include "lodlab/core/traversal.hpp"
 
 namespace lod {
 
@@ -80,11 +78,12 @@ struct FinestPair {
 ///
 /// Backtracking rewinds two bodies alone, so a pair is backtracked only if it touched within the
 /// last time_step and no body of it that moves is in any other collision of the frame; otherwise
-/// its contacts are carried to the present. Returns whether the budget cut something short.
+/// its contacts are carried to the present. Where the budget cuts something short, Budget::cut says
+/// where.
 template <int Dim>
-bool refine_finest(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
+void refine_finest(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
                    std::span<const std::int32_t> order, const FinestDetail& detail,
-                   double time_step, Budget& budget, std::vector<Front>& fronts,
+                   double time_step, Budget& budget, Fronts& fronts,
                    std::vector<FinestPair<Dim>>& found);
 
 }  // namespace lod

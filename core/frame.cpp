@@ -1,6 +1,7 @@
 #include "lodlab/core/frame.hpp"
 
 #include "lodlab/core/integrate.hpp"
+#include "lodlab/core/refill.hpp"
 
 namespace lod {
 namespace {
@@ -19,7 +20,7 @@ void model_front(std::span<const Body<Dim>> bodies, const FrameSettings& setting
     const auto at_a = static_cast<std::size_t>(a);
     const auto at_b = static_cast<std::size_t>(b);
     storage.front_contacts.model(
-        storage.world_S[at_a], storage.world_S[at_b], storage.fronts[p].pairs,
+        storage.world_S[at_a], storage.world_S[at_b], storage.fronts.pairs(p),
         settings.contact_model, settings.point_model,
         pair_motion(bodies[at_a], bodies[at_b], settings.time_step), storage.front);
     FrameRecord<Dim>& record = storage.record;
@@ -57,7 +58,7 @@ void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& sett
     record.contact_nodes.clear();
     auto finest = storage.finest.begin();
     for (std::size_t p = 0; p < storage.candidates.size(); ++p) {
-        const Front& front = storage.fronts[p];
+        const ListedFront& front = storage.fronts.of_pair[p];
         const auto first = static_cast<std::int32_t>(record.impacts.size());
         const auto first_node = static_cast<std::int32_t>(record.node_pairs.size());
         record.pairs.push_back({storage.candidates[p],
@@ -73,6 +74,16 @@ void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& sett
             model_front(bodies, settings, p, storage);
         record.pairs[p].contact_count = static_cast<std::int32_t>(record.impacts.size()) - first;
     }
+}
+
+/// A bound by the fronts and the true shapes' contacts alone, as Budget reserves it.
+template <int Dim>
+std::uint64_t reserved_row_visits(const FrameStorage<Dim>& storage) {
+    std::uint64_t node_pairs = 0;
+    for (const ListedFront& front : storage.fronts.of_pair)
+        node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+    for (const FinestPair<Dim>& pair : storage.finest) node_pairs += pair.contacts.size();
+    return node_pairs * Resolver<Dim>::row_visits_of_a_node_pair;
 }
 
 /// Puts the bodies of backtracked pairs where they stood at their time of impact.
@@ -104,20 +115,21 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
                                Budget& budget, FrameStorage<Dim>& storage) {
     pose_all(bodies, storage.world_S);
     storage.broad_phase.find(bodies, storage.world_S, storage.candidates);
-    prioritise<Dim>(settings.priority, bodies, storage.candidates, storage.order, storage.scratch);
+    prioritise<Dim>(settings.priority, bodies, storage.candidates, storage.order,
+                    storage.closing_speed);
     const std::uint64_t spent_before = budget.spent();
-    storage.record.interrupted =
-        refine_all<Dim>(storage.candidates, storage.order,
-                        {settings.deepest_level, settings.contact_model == ContactModel::hull},
-                        storage.world_S, budget, storage.fronts, storage.scratch);
+    refine_all<Dim>(storage.candidates, storage.order,
+                    {settings.deepest_level, settings.contact_model == ContactModel::hull},
+                    storage.world_S, budget, storage.fronts);
     storage.finest.clear();
-    if (!storage.record.interrupted)
-        storage.record.interrupted =
-            refine_finest<Dim>(bodies, storage.candidates, storage.order, settings.finest,
-                               settings.time_step, budget, storage.fronts, storage.finest);
+    if (!budget.ended())
+        refine_finest<Dim>(bodies, storage.candidates, storage.order, settings.finest,
+                           settings.time_step, budget, storage.fronts, storage.finest);
+    storage.record.cut = budget.cut();
     storage.record.tests = budget.spent() - spent_before;
     model_contacts(bodies, settings, storage);
-    storage.record.impulses.assign(storage.record.impacts.size(), 0.0);
+    refill(storage.record.impulses, storage.record.impacts.size(), 0.0);
+    storage.record.reserved_row_visits = reserved_row_visits(storage);
     storage.record.response = {};
     storage.record.energy_before = kinetic_energy(bodies);
     storage.record.energy_after = storage.record.energy_before;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "lodlab/core/budget.hpp"
@@ -46,31 +47,34 @@ struct FrameRecord {
     std::vector<Range> contact_nodes;  ///< same order; into node_pairs: the nodes behind each
                                        ///< contact, none behind an exact one
     std::vector<double> impulses;      ///< same order [N s]
-    /// Node tests of the frame. A frame that ran on a clock gives the same bits when it is played
-    /// again with Budget::node_tests(tests).
-    std::uint64_t tests = 0;
-    bool interrupted = false;  ///< the budget ended before the finest level
+    std::uint64_t tests = 0;           ///< node tests of the frame
+    /// Where the budget ended before the finest level. A frame that ran on a clock gives the same
+    /// bits when it is played again with Budget::until(*cut), unlimited where there is none.
+    std::optional<Cut> cut;
+    /// What the response of the finished levels may cost at most, in row visits: the reserve that
+    /// Budget holds back as the cost of node pairs. Of Response::net.
+    std::uint64_t reserved_row_visits = 0;
     ResponseReport response;   ///< of `advance`
     double energy_before = 0;  ///< kinetic, before the response [J]
     double energy_after = 0;   ///< kinetic, after it [J]
 
+    [[nodiscard]] bool interrupted() const { return cut.has_value(); }
     /// The node pairs of a pair or behind a contact.
     [[nodiscard]] std::span<const NodePair> nodes_of(const Range& range) const {
-        return std::span(node_pairs)
-            .subspan(static_cast<std::size_t>(range.first), static_cast<std::size_t>(range.count));
+        return range.of(std::span<const NodePair>(node_pairs));
     }
 };
 
-/// Storage that frames reuse: a warm frame allocates nothing.
+/// Storage that frames reuse: once its lists have been as long as they get, a frame allocates nothing.
 template <int Dim>
 struct FrameStorage {
     std::vector<PosedTree<Dim>> world_S;
     BroadPhase<Dim> broad_phase;
     std::vector<CandidatePair> candidates;
     std::vector<std::int32_t> order;
-    std::vector<Front> fronts;
+    std::vector<double> closing_speed;  ///< of each candidate
+    Fronts fronts;
     std::vector<FinestPair<Dim>> finest;  ///< in the order of the candidates
-    ScheduleScratch scratch;
     FrontContacts<Dim> front_contacts;
     FrontModel<Dim> front;  ///< of one pair
     Resolver<Dim> resolver;

@@ -4,6 +4,8 @@
 #include <tuple>
 #include <utility>
 
+#include "lodlab/core/refill.hpp"
+
 namespace lod {
 namespace {
 
@@ -70,7 +72,7 @@ void FrontContacts<Dim>::find_patches(const PosedTree<Dim>& a, const PosedTree<D
         join(first_a_, pairs[at(i)].a, i);
         join(first_b_, pairs[at(i)].b, i);
     }
-    patches_.assign(pairs.size(), {});
+    refill(patches_, pairs.size(), Patch{});
     const auto add = [](const Vector<Dim>& mean_normal, Side& side) {
         if (mean_normal.isZero(0)) return;
         side.normal += mean_normal;

@@ -12,13 +12,6 @@ namespace lod {
 /// Places where two bodies touch, at most: of more, the deepest are kept.
 inline constexpr std::size_t most_patches = 8;
 
-/// A part of a list.
-struct Range {
-    std::int32_t first = 0;
-    std::int32_t count = 0;
-    friend bool operator==(const Range&, const Range&) = default;
-};
-
 /// Contacts of one front and the node pairs behind them.
 template <int Dim>
 struct PatchContact {

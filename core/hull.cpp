@@ -6,25 +6,47 @@
 
 namespace lod {
 
+/// The edges of a polytope, each once, in the order in which the faces run through them.
+template <int Dim>
+void add_edges(const Hull<Dim>& hull, std::vector<HullEdge>& edges) {
+    if (!Space<Dim>::facets_close) return;
+    const std::size_t before = edges.size();
+    for (std::size_t face = 0; face < hull.faces.size(); ++face) {
+        const std::vector<std::int32_t>& loop = hull.faces[face];
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const std::int32_t from = loop[i];
+            const std::int32_t to = loop[(i + 1) % loop.size()];
+            const auto met = std::find_if(
+                edges.begin() + static_cast<std::ptrdiff_t>(before), edges.end(),
+                [&](const HullEdge& edge) { return edge.from == to && edge.to == from; });
+            if (met != edges.end())
+                met->right = static_cast<std::int32_t>(face);
+            else
+                edges.push_back(
+                    {from, to, static_cast<std::int32_t>(face), static_cast<std::int32_t>(face)});
+        }
+    }
+}
+
 template <int Dim>
 bool HullView<Dim>::is_closed() const {
     // In space an edge goes from corner to corner; in the plane a side ends at a corner where
     // another begins: then from and to are ends of sides.
-    std::vector<std::array<std::int32_t, 2>> edges;
+    std::vector<std::array<std::int32_t, 2>> sides;
     for (std::size_t face = 0; face < normals.size(); ++face) {
         const auto corners_of = loop(face);
         if (!Space<Dim>::facets_close) {
-            edges.push_back({corners_of[0], -1});
-            edges.push_back({-1, corners_of[1]});
+            sides.push_back({corners_of[0], -1});
+            sides.push_back({-1, corners_of[1]});
             continue;
         }
         for (std::size_t i = 0; i < corners_of.size(); ++i)
-            edges.push_back({corners_of[i], corners_of[(i + 1) % corners_of.size()]});
+            sides.push_back({corners_of[i], corners_of[(i + 1) % corners_of.size()]});
     }
-    std::ranges::sort(edges);
-    if (std::ranges::adjacent_find(edges) != edges.end()) return false;
-    return !edges.empty() && std::ranges::all_of(edges, [&](const auto& edge) {
-        return std::ranges::binary_search(edges, std::array{edge[1], edge[0]});
+    std::ranges::sort(sides);
+    if (std::ranges::adjacent_find(sides) != sides.end()) return false;
+    return !sides.empty() && std::ranges::all_of(sides, [&](const auto& edge) {
+        return std::ranges::binary_search(sides, std::array{edge[1], edge[0]});
     });
 }
 
@@ -45,6 +67,8 @@ void NodeHulls<Dim>::add(const Hull<Dim>& hull) {
     }
     for (std::size_t face = 0; face < hull.faces.size(); ++face)
         inner_.push_back(face < hull.inner.size() && hull.inner[face]);
+    add_edges(hull, edges_);
+    edge_begin_.push_back(static_cast<std::int32_t>(edges_.size()));
     tight_.push_back(hull.tight);
     round_.push_back(hull.round);
     corners_.insert(corners_.end(), hull.corners.begin(), hull.corners.end());
@@ -68,12 +92,15 @@ HullView<Dim> NodeHulls<Dim>::of(int node) const {
     const auto n = static_cast<std::size_t>(node);
     const auto corner = static_cast<std::size_t>(corner_begin_[n]);
     const auto face = static_cast<std::size_t>(face_begin_[n]);
+    const auto edge = static_cast<std::size_t>(edge_begin_[n]);
+    const std::size_t edges = static_cast<std::size_t>(edge_begin_[n + 1]) - edge;
     const std::size_t corners = static_cast<std::size_t>(corner_begin_[n + 1]) - corner;
     const std::size_t faces = static_cast<std::size_t>(face_begin_[n + 1]) - face;
     return {
         std::span(corners_).subspan(corner, corners),    std::span(normals_).subspan(face, faces),
         std::span(offsets_).subspan(face, faces),        std::span(inner_).subspan(face, faces),
-        std::span(loop_begin_).subspan(face, faces + 1), loops_};
+        std::span(loop_begin_).subspan(face, faces + 1), loops_,
+        std::span(edges_).subspan(edge, edges)};
 }
 
 template struct HullView<2>;

@@ -39,6 +39,14 @@ struct Hull {
     }
 };
 
+/// Where two faces of a polytope meet.
+struct HullEdge {
+    std::int32_t from = 0;  ///< corner numbers; `left` runs from one to the other
+    std::int32_t to = 0;
+    std::int32_t left = 0;  ///< faces
+    std::int32_t right = 0;
+};
+
 /// One hull of many, in whatever frame they stand.
 template <int Dim>
 struct HullView {
@@ -48,6 +56,7 @@ struct HullView {
     std::span<const char> inner;               ///< of each face: whether it lies within the shape
     std::span<const std::int32_t> loop_begin;  ///< of each face and after the last, into loops
     std::span<const std::int32_t> loops;       ///< corner numbers, face by face
+    std::span<const HullEdge> edges;           ///< none in the plane
 
     [[nodiscard]] bool empty() const { return normals.empty(); }
     /// Whether every edge between two faces (in the plane every corner between two sides) is run
@@ -91,6 +100,7 @@ class NodeHulls {
   private:
     std::vector<std::int32_t> corner_begin_{0};
     std::vector<std::int32_t> face_begin_{0};
+    std::vector<std::int32_t> edge_begin_{0};
     std::vector<std::int32_t> loop_begin_{0};
     std::vector<Vector<Dim>> corners_;
     std::vector<Vector<Dim>> normals_;
@@ -100,6 +110,7 @@ class NodeHulls {
     std::vector<char> round_;
     std::vector<std::int32_t> best_;
     std::vector<std::int32_t> loops_;
+    std::vector<HullEdge> edges_;
 };
 
 extern template struct HullView<2>;

@@ -17,7 +17,10 @@ struct Axis {
     std::size_t face = 0;
     bool of_b = false;
     bool inner = true;       ///< nothing can touch the shape there
-    double measure = never;  ///< what decides: the depth, or the time since the face was crossed
+    double measure = never;  ///< what decides: the depth, or the time since it was crossed
+    const HullEdge* edge_a = nullptr;  ///< two edges that cross, instead of a face
+    const HullEdge* edge_b = nullptr;
+    Vector<Dim> normal = Vector<Dim>::Zero();  ///< from A to B; of edges
 
     [[nodiscard]] bool before(const Axis& other) const {
         return inner != other.inner ? other.inner : measure < other.measure;
@@ -51,6 +54,23 @@ std::size_t lowest(const PosedHull<Dim>& hull, const Vector<Dim>& normal) {
     return at;
 }
 
+/// Edges whose crossing is less than this sine are as good as parallel: their faces decide.
+constexpr double least_crossing = 1e-3;
+/// What an edge pair must gain over a face in depth, as a share: where they say nearly the same,
+/// the face is right, for it has more than one point.
+constexpr double edge_gain = 0.95;
+
+/// Takes an axis into account, along which the hulls overlap by `depth` and near each other at
+/// `speed`.
+template <int Dim>
+void consider(Axis<Dim> axis, double depth, double speed, double time_step, Axes<Dim>& axes) {
+    axis.measure = axis.edge_a != nullptr ? depth / edge_gain : depth;
+    if (axis.before(axes.shallow)) axes.shallow = axis;
+    if (speed <= 0 || depth > speed * time_step) return;
+    axis.measure = depth / speed;
+    if (axis.before(axes.recent)) axes.recent = axis;
+}
+
 /// Looks at the faces of one hull. Returns false where one of them separates.
 template <int Dim>
 bool look(const PosedHull<Dim>& own, const PosedHull<Dim>& other, bool of_b,
@@ -60,14 +80,97 @@ bool look(const PosedHull<Dim>& own, const PosedHull<Dim>& other, bool of_b,
         const Vector<Dim>& corner = other.corners[lowest(other, normal)];
         const double depth = own.offsets[face] - normal.dot(corner);
         if (depth < -slack) return false;
-        Axis<Dim> axis{face, of_b, own.body.inner[face] != 0, depth};
-        if (axis.before(axes.shallow)) axes.shallow = axis;
+        Axis<Dim> axis;
+        axis.face = face;
+        axis.of_b = of_b;
+        axis.inner = own.body.inner[face] != 0;
         const double speed = (of_b ? 1 : -1) * normal.dot(motion.velocity_b - motion.velocity_a);
-        if (speed <= 0 || depth > speed * motion.time_step) continue;
-        axis.measure = depth / speed;
-        if (axis.before(axes.recent)) axes.recent = axis;
+        consider(axis, depth, speed, motion.time_step, axes);
     }
     return true;
+}
+
+/// Whether A lies below B along the normal, by more than the slack. Where faces are nearly
+/// parallel, rounding can take an edge for what it is not; this is the proof.
+template <int Dim>
+bool separates(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const Vector<Dim>& normal,
+               double slack) {
+    const Vector<Dim>& top = a.corners[lowest(a, Vector<Dim>(-normal))];
+    const Vector<Dim>& bottom = b.corners[lowest(b, normal)];
+    return normal.dot(bottom - top) > slack;
+}
+
+/// Looks at the pairs of edges whose crossing may be where the hulls are nearest to each other:
+/// those whose arcs cross on the Gauss map, A's between its two faces' normals and B's, reversed.
+/// Returns false where one separates.
+template <int Dim>
+bool look_at_edges(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const PairMotion<Dim>& motion,
+                   double slack, Axes<Dim>& axes) {
+    const auto corner = [](const PosedHull<Dim>& hull, std::int32_t number) -> const Vector<Dim>& {
+        return hull.corners[static_cast<std::size_t>(number)];
+    };
+    const auto inner = [](const PosedHull<Dim>& hull, const HullEdge& edge) {
+        return hull.body.inner[static_cast<std::size_t>(edge.left)] != 0 &&
+               hull.body.inner[static_cast<std::size_t>(edge.right)] != 0;
+    };
+    for (const HullEdge& edge_a : a.body.edges) {
+        const Vector<Dim>& n1 = a.normals[static_cast<std::size_t>(edge_a.left)];
+        const Vector<Dim>& n2 = a.normals[static_cast<std::size_t>(edge_a.right)];
+        const Vector<Dim> along_a = corner(a, edge_a.to) - corner(a, edge_a.from);
+        for (const HullEdge& edge_b : b.body.edges) {
+            const Vector<Dim> m1 = -b.normals[static_cast<std::size_t>(edge_b.left)];
+            const Vector<Dim> m2 = -b.normals[static_cast<std::size_t>(edge_b.right)];
+            const Vector<Dim> along_b = corner(b, edge_b.to) - corner(b, edge_b.from);
+            // The arcs' planes are across the edges.
+            const double side_m1 = m1.dot(along_a);
+            const double side_m2 = m2.dot(along_a);
+            const double side_n1 = n1.dot(along_b);
+            const double side_n2 = n2.dot(along_b);
+            if (side_m1 * side_m2 >= 0 || side_n1 * side_n2 >= 0) continue;
+            const Vector<Dim> across = along_a.cross(along_b);
+            const double length = across.norm();
+            if (length <= least_crossing * along_a.norm() * along_b.norm()) continue;
+            Vector<Dim> normal = across / length;
+            // Both arcs hold the normal, not its opposite.
+            if (normal.dot(n1 + n2) < 0) normal = -normal;
+            if (normal.dot(m1 + m2) <= 0) continue;
+            const double depth = normal.dot(corner(a, edge_a.from) - corner(b, edge_b.from));
+            if (depth < -slack) {
+                if (separates(a, b, normal, slack)) return false;
+                continue;
+            }
+            Axis<Dim> axis;
+            axis.inner = inner(a, edge_a) || inner(b, edge_b);
+            axis.edge_a = &edge_a;
+            axis.edge_b = &edge_b;
+            axis.normal = normal;
+            consider(axis, depth, -normal.dot(motion.velocity_b - motion.velocity_a),
+                     motion.time_step, axes);
+        }
+    }
+    return true;
+}
+
+/// Where two edges are nearest to each other.
+template <int Dim>
+Manifold<Dim> crossing(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const Axis<Dim>& axis) {
+    const Vector<Dim>& p = a.corners[static_cast<std::size_t>(axis.edge_a->from)];
+    const Vector<Dim>& q = b.corners[static_cast<std::size_t>(axis.edge_b->from)];
+    const Vector<Dim> u = a.corners[static_cast<std::size_t>(axis.edge_a->to)] - p;
+    const Vector<Dim> v = b.corners[static_cast<std::size_t>(axis.edge_b->to)] - q;
+    const double uu = u.dot(u);
+    const double uv = u.dot(v);
+    const double vv = v.dot(v);
+    const double across = uu * vv - uv * uv;
+    const Vector<Dim> between = q - p;
+    const double s = (vv * u.dot(between) - uv * v.dot(between)) / across;
+    const double t = (uv * u.dot(between) - uu * v.dot(between)) / across;
+    Manifold<Dim> manifold;
+    manifold.normal = axis.normal;
+    manifold.points[0] = 0.5 * ((p + s * u) + (q + t * v));
+    manifold.depths[0] = std::max(0.0, axis.normal.dot(p - q));
+    manifold.count = 1;
+    return manifold;
 }
 
 /// A facet, with room for what clipping adds.
@@ -164,7 +267,10 @@ std::optional<Manifold<Dim>> meet(const PosedHull<Dim>& a, const PosedHull<Dim>&
     Axes<Dim> axes;
     if (!look(a, b, false, motion, slack, axes) || !look(b, a, true, motion, slack, axes))
         return std::nullopt;
+    if constexpr (Space<Dim>::facets_close)
+        if (!look_at_edges(a, b, motion, slack, axes)) return std::nullopt;
     const Axis<Dim>& axis = axes.best();
+    if (axis.edge_a != nullptr) return crossing(a, b, axis);
     const PosedHull<Dim>& own = axis.of_b ? b : a;
     const PosedHull<Dim>& other = axis.of_b ? a : b;
     const Vector<Dim>& normal = own.normals[axis.face];

@@ -58,7 +58,7 @@ template <int Dim>
 /// corners of their outline in space, of which four are kept.
 template <int Dim>
 struct Manifold {
-    static constexpr std::size_t most_points = 2 * (Dim - 1);
+    static constexpr std::size_t most_points = most_patch_points<Dim>;
     Vector<Dim> normal = Vector<Dim>::Zero();  ///< unit, from A to B
     std::array<Vector<Dim>, most_points> points;
     std::array<double, most_points> depths{};  ///< [m], >= 0

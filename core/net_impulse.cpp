@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "lodlab/core/refill.hpp"
+
 namespace lod {
 namespace {
 
@@ -96,7 +98,7 @@ auto NetImpulse<Dim>::row(const Impact<Dim>& impact, std::span<const Body<Dim>> 
 /// The pairs of each body that can move, by counting.
 template <int Dim>
 void NetImpulse<Dim>::list_neighbours(std::span<const Body<Dim>> bodies) {
-    neighbour_begin_.assign(bodies.size() + 1, 0);
+    refill(neighbour_begin_, bodies.size() + 1, 0);
     const auto each = [&](const auto& visit) {
         for (std::size_t p = 0; p < pairs_.size(); ++p)
             for (const std::int32_t body : {pairs_[p].a, pairs_[p].b})
@@ -346,6 +348,7 @@ template <int Dim>
 void NetImpulse<Dim>::report_rest(std::span<const Body<Dim>> bodies, int most_visits) {
     for (const Pair& pair : pairs_) {
         if (pair.visits < most_visits) continue;
+        report_.row_visits += static_cast<std::uint64_t>(pair.end - pair.first);
         for (std::int32_t r = pair.first; r < pair.end; ++r) {
             double size = 0;
             const double speed = -closing(pair, rows_[at(r)], bodies, size);

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "lodlab/core/newton.hpp"
+#include "lodlab/core/refill.hpp"
 
 namespace lod {
 namespace {
@@ -18,7 +19,7 @@ template <int Dim>
 ResponseReport Resolver<Dim>::resolve(Response response, Impacts impacts, Bodies bodies,
                                       Impulses& impulses) {
     report_ = {};
-    impulses.assign(impacts.size(), 0.0);
+    refill(impulses, impacts.size(), 0.0);
     if (impacts.empty()) return report_;
     inverse_inertia_.resize(bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i)
@@ -42,7 +43,7 @@ ResponseReport Resolver<Dim>::resolve(Response response, Impacts impacts, Bodies
 template <int Dim>
 void Resolver<Dim>::resolve_islands(Response response, Impacts impacts, Bodies bodies,
                                     Impulses& impulses) {
-    target_.assign(impacts.size(), 0.0);
+    refill(target_, impacts.size(), 0.0);
     part_.resize(impacts.size());
     find_islands(impacts, bodies);
     for (const Island& island : islands_) {

@@ -32,6 +32,10 @@ class Resolver {
   public:
     /// How often `net` asks a pair of bodies at most; what approaches after that waits a frame.
     static constexpr int most_visits = 32;
+    /// What `net` costs at most for a node pair of a front, whose patch has few points: each visit
+    /// asks for one closing velocity a point, and a last one finds what still approaches.
+    static constexpr std::uint64_t row_visits_of_a_node_pair =
+        (most_visits + 1) * most_patch_points<Dim>;
     static constexpr int most_sequential_sweeps = 64;
     /// A contact counts as approaching only beyond this share of the largest closing speed that the
     /// island began with.

@@ -23,11 +23,10 @@ double closing_speed(const Body<Dim>& a, const Body<Dim>& b) {
 template <int Dim>
 void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
                 std::span<const CandidatePair> pairs, std::vector<std::int32_t>& order,
-                ScheduleScratch& scratch) {
+                std::vector<double>& speed) {
     order.resize(pairs.size());
     std::iota(order.begin(), order.end(), 0);
     if (priority == Priority::in_order) return;
-    std::vector<double>& speed = scratch.speed;
     speed.resize(pairs.size());
     for (std::size_t i = 0; i < pairs.size(); ++i)
         speed[i] = closing_speed(bodies[at(pairs[i].a)], bodies[at(pairs[i].b)]);
@@ -42,52 +41,82 @@ int entry_level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, bool by_hulls)
     return std::max(a.tree().hulls.entry_level, b.tree().hulls.entry_level);
 }
 
+namespace {
+
+/// Refines the fronts of a frame.
 template <int Dim>
-bool refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
-                const Levels& levels, std::span<PosedTree<Dim>> world_S, Budget& budget,
-                std::vector<Front>& fronts, ScheduleScratch& scratch) {
-    if (fronts.size() < pairs.size()) fronts.resize(pairs.size());
-    std::uint64_t contacts = 0;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        test_roots(world_S[at(pairs[i].a)], world_S[at(pairs[i].b)], fronts[i]);
-        const int entry =
-            entry_level(world_S[at(pairs[i].a)], world_S[at(pairs[i].b)], levels.begin_at_entry);
-        Budget enough = Budget::unlimited();
-        while (fronts[i].level < entry && !fronts[i].finest)
-            if (refine(world_S[at(pairs[i].a)], world_S[at(pairs[i].b)], enough, fronts[i],
-                       scratch.level) == Refinement::interrupted)
-                break;
-        budget.spend(fronts[i].tests);
-        contacts += fronts[i].pairs.size();
+struct Refiner {
+    std::span<const CandidatePair> pairs;
+    std::span<const std::int32_t> order;
+    const Levels& levels;
+    std::span<PosedTree<Dim>> world_S;
+    Budget& budget;
+    Fronts& fronts;
+    std::uint64_t node_pairs = 0;  ///< of all fronts
+
+    Refinement refine_one(std::size_t pair, Budget& by) {
+        ListedFront& front = fronts.of_pair[pair];
+        by.begin(static_cast<std::int32_t>(pair), front.level + 1);
+        node_pairs -= static_cast<std::uint64_t>(front.pairs.count);
+        const Refinement done =
+            refine(world_S[at(pairs[pair].a)], world_S[at(pairs[pair].b)], by, front, fronts.list);
+        node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+        return done;
     }
-    for (int level = 1; level <= levels.deepest; ++level) {
+
+    /// Whatever the budget says.
+    void enter(std::size_t pair, int deepest) {
+        ListedFront& front = fronts.of_pair[pair];
+        const PosedTree<Dim>& a = world_S[at(pairs[pair].a)];
+        const PosedTree<Dim>& b = world_S[at(pairs[pair].b)];
+        test_roots(a, b, front, fronts.list);
+        node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+        const int entry = std::max(entry_level(a, b, levels.begin_at_entry), deepest);
+        Budget enough = Budget::unlimited();
+        while (front.level < entry && !front.finest)
+            if (refine_one(pair, enough) == Refinement::interrupted) break;
+        budget.spend(front.tests);
+    }
+
+    /// Returns whether there is more to do.
+    bool finish_level(int level) {
         bool unfinished = false;
-        for (std::int32_t i : order) {
-            Front& front = fronts[at(i)];
+        for (const std::int32_t i : order) {
+            const ListedFront& front = fronts.of_pair[at(i)];
             if (front.finest) continue;
-            unfinished |= front.level >= level;
-            if (front.level >= level) continue;
-            budget.reserve_contacts(contacts);
-            contacts -= front.pairs.size();
-            const Refinement refined =
-                refine(world_S[at(pairs[at(i)].a)], world_S[at(pairs[at(i)].b)], budget, front,
-                       scratch.level);
-            if (refined == Refinement::interrupted) return true;
-            contacts += front.pairs.size();
+            if (front.level < level) {
+                budget.reserve(node_pairs);
+                if (refine_one(at(i), budget) == Refinement::interrupted) return false;
+            }
             unfinished |= !front.finest;
         }
-        if (!unfinished) break;
+        return unfinished;
     }
-    return false;
+};
+
+}  // namespace
+
+template <int Dim>
+void refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
+                const Levels& levels, std::span<PosedTree<Dim>> world_S, Budget& budget,
+                Fronts& fronts) {
+    fronts.of_pair.resize(pairs.size());
+    fronts.list.clear();
+    Refiner<Dim> refiner{pairs, order, levels, world_S, budget, fronts};
+    // Without a limit each pair goes down to its end at once: the order changes nothing then.
+    const bool at_once = budget.is_unlimited();
+    for (std::size_t i = 0; i < pairs.size(); ++i) refiner.enter(i, at_once ? levels.deepest : 0);
+    if (at_once) return;
+    for (int level = 1; level <= levels.deepest; ++level)
+        if (!refiner.finish_level(level)) break;
 }
 
 #define LOD_INSTANTIATE(Dim)                                                                       \
     template void prioritise(Priority, std::span<const Body<Dim>>, std::span<const CandidatePair>, \
-                             std::vector<std::int32_t>&, ScheduleScratch&);                        \
+                             std::vector<std::int32_t>&, std::vector<double>&);                    \
     template int entry_level(const PosedTree<Dim>&, const PosedTree<Dim>&, bool);                  \
-    template bool refine_all(std::span<const CandidatePair>, std::span<const std::int32_t>,        \
-                             const Levels&, std::span<PosedTree<Dim>>, Budget&,                    \
-                             std::vector<Front>&, ScheduleScratch&);
+    template void refine_all(std::span<const CandidatePair>, std::span<const std::int32_t>,        \
+                             const Levels&, std::span<PosedTree<Dim>>, Budget&, Fronts&);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

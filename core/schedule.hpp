@@ -16,17 +16,12 @@ enum class Priority {
                     ///< furthest
 };
 
-/// Storage of the scheduler, kept by the caller.
-struct ScheduleScratch {
-    std::vector<NodePair> level;  ///< the level in the making
-    std::vector<double> speed;    ///< closing speed of each pair
-};
-
-/// The order in which the pairs are refined: indices into `pairs`, most important first.
+/// The order in which the pairs are refined: indices into `pairs`, most important first. `speed` is
+/// storage that the caller keeps.
 template <int Dim>
 void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
                 std::span<const CandidatePair> pairs, std::vector<std::int32_t>& order,
-                ScheduleScratch& scratch);
+                std::vector<double>& speed);
 
 /// To which levels a frame refines.
 struct Levels {
@@ -39,15 +34,25 @@ struct Levels {
 template <int Dim>
 [[nodiscard]] int entry_level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, bool by_hulls);
 
+/// Of every candidate pair, in their order: how far it was refined.
+struct Fronts {
+    std::vector<ListedFront> of_pair;
+    FrontList list;
+
+    [[nodiscard]] std::span<const NodePair> pairs(std::size_t pair) const {
+        return list.pairs_of(of_pair[pair]);
+    }
+};
+
 /// The scheduler (section 5.1). The entry level of every pair is always done, which is level 0 but
 /// for bodies with hollows; its tests are spent whatever the budget says. Then level after level,
 /// each pair in the order of priority, until the budget ends, every front is finest, or the deepest
-/// level is finished. The time of the response stays reserved: beyond the entry level, tests and
-/// contacts together never cost more than the quota. Returns whether the budget cut something
-/// short.
+/// level is finished. What follows stays reserved: beyond the entry level, tests and node pairs
+/// together never cost more than the quota. Where the budget cuts something short, Budget::cut says
+/// where.
 template <int Dim>
-bool refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
+void refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
                 const Levels& levels, std::span<PosedTree<Dim>> world_S, Budget& budget,
-                std::vector<Front>& fronts, ScheduleScratch& scratch);
+                Fronts& fronts);
 
 }  // namespace lod

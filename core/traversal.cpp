@@ -4,15 +4,33 @@
 #include <array>
 
 namespace lod {
+
+NodePair* FrontList::room_for(std::size_t more) {
+    if (room_.size() < used_ + more) room_.resize(std::max(used_ + more, 2 * room_.size()));
+    return room_.data() + used_;
+}
+
+void FrontList::replace(ListedFront& front, std::size_t begin) {
+    const auto first = static_cast<std::size_t>(front.pairs.first);
+    const std::size_t count = used_ - begin;
+    if (first + static_cast<std::size_t>(front.pairs.count) == begin) {
+        std::copy_n(room_.begin() + static_cast<std::ptrdiff_t>(begin), count,
+                    room_.begin() + static_cast<std::ptrdiff_t>(first));
+        begin = first;
+        used_ = first + count;
+    }
+    front.pairs = {static_cast<std::int32_t>(begin), static_cast<std::int32_t>(count)};
+}
+
 namespace {
 
 /// Between two questions to the budget at most so many tests are done.
 constexpr int most_at_once = 64;
 
-void conclude(Front& front, bool any_leaf_pair, bool any_children) {
+void conclude(ListedFront& front, bool any_leaf_pair, bool any_children) {
     ++front.level;
     front.finest = !any_children;
-    if (front.pairs.empty())
+    if (front.pairs.count == 0)
         front.verdict = Verdict::apart;
     else
         front.verdict = any_leaf_pair ? Verdict::true_collision : Verdict::possible;
@@ -24,20 +42,15 @@ struct Level {
     PosedTree<Dim>& a;
     PosedTree<Dim>& b;
     Budget& budget;
-    std::vector<NodePair>& found;    ///< storage; only the first `found_count` are meant
-    const std::size_t reserved = 0;  ///< contacts of this pair that the budget reserves already
+    FrontList& list;                 ///< what is found is appended to it
+    const std::size_t reserved = 0;  ///< node pairs of this front that the budget reserves already
     const double slack = a.rounding() + b.rounding();
-    std::size_t found_count = 0;
+    const std::size_t begin = list.size();
     std::uint64_t tests = 0;
 
-    [[nodiscard]] std::uint64_t more_contacts() const {
-        return found_count > reserved ? found_count - reserved : 0;
-    }
-
-    /// Makes room for `more` pairs beyond those found.
-    void make_room(std::size_t more) {
-        if (found.size() < found_count + more)
-            found.resize(std::max(found_count + more, 2 * found.size()));
+    [[nodiscard]] std::uint64_t more_pairs() const {
+        const std::size_t found = list.size() - begin;
+        return found > reserved ? found - reserved : 0;
     }
 
     /// The distance test of one ball, `node` of one tree, against the nodes [first, first + count)
@@ -48,33 +61,32 @@ struct Level {
     void test_block(const Sphere<Dim>& ball, int node, const PosedTree<Dim>& many, int first,
                     int count) {
         constexpr int lanes = PosedTree<Dim>::lanes;
-        make_room(static_cast<std::size_t>(count));
-        NodePair* const out = found.data();
-        std::size_t n = found_count;
-        for (int begin = first; begin < first + count; begin += lanes) {
+        NodePair* const out = list.room_for(static_cast<std::size_t>(count));
+        std::size_t n = 0;
+        for (int block = first; block < first + count; block += lanes) {
             std::array<double, lanes> squared{};
             std::array<double, lanes> reach{};
             for (int axis = 0; axis < Dim; ++axis) {
-                const double* centre = many.centres(axis) + begin;
+                const double* centre = many.centres(axis) + block;
                 const double x = ball.centre[axis];
                 for (std::size_t k = 0; k < lanes; ++k)
                     squared[k] += (centre[k] - x) * (centre[k] - x);
             }
-            const double* radius = many.radii() + begin;
+            const double* radius = many.radii() + block;
             for (std::size_t k = 0; k < lanes; ++k)
                 reach[k] = (radius[k] + ball.radius) * (radius[k] + ball.radius);
-            const int end = std::min(lanes, first + count - begin);
+            const int end = std::min(lanes, first + count - block);
             for (int k = 0; k < end; ++k) {
-                out[n] = swapped ? NodePair{begin + k, node} : NodePair{node, begin + k};
+                out[n] = swapped ? NodePair{block + k, node} : NodePair{node, block + k};
                 n += squared[static_cast<std::size_t>(k)] <= reach[static_cast<std::size_t>(k)];
             }
         }
-        found_count = n;
+        list.take(n);
     }
 
     /// Asks the budget for so many tests. Returns false when it ended.
     bool pay(int wanted) {
-        const auto granted = budget.grant(static_cast<std::uint64_t>(wanted), more_contacts());
+        const auto granted = budget.grant(static_cast<std::uint64_t>(wanted), more_pairs());
         tests += granted;
         return granted == static_cast<std::uint64_t>(wanted);
     }
@@ -119,8 +131,8 @@ struct Level {
         const auto child_count_a = a.tree().child_count[static_cast<std::size_t>(pair.a)];
         const auto child_count_b = b.tree().child_count[static_cast<std::size_t>(pair.b)];
         if (child_count_a == 0 && child_count_b == 0) {
-            make_room(1);
-            found[found_count++] = pair;
+            *list.room_for(1) = pair;
+            list.take(1);
             return true;
         }
         const auto first_a = a.tree().first_child[static_cast<std::size_t>(pair.a)];
@@ -132,51 +144,48 @@ struct Level {
         return test_families(first_a, child_count_a, first_b, child_count_b);
     }
 
-    /// All of the level, or false where the budget ended before it was done.
-    bool expand_all(std::span<const NodePair> pairs) {
-        for (const NodePair& pair : pairs)
-            if (!expand(pair)) return false;
-        if (budget.keeps_level(more_contacts())) return true;
-        if (tests > 0) --tests;
-        return false;
+    /// All of the level, or false where the budget ended before it was done. By number: the list
+    /// may move while it grows.
+    bool expand_all(const ListedFront& front) {
+        for (std::int32_t i = 0; i < front.pairs.count; ++i)
+            if (!expand(NodePair(list.pairs_of(front)[static_cast<std::size_t>(i)]))) return false;
+        return budget.keeps_level(more_pairs());
     }
 };
 
 }  // namespace
 
-void Front::clear() {
-    level = -1;
-    verdict = Verdict::possible;
-    finest = false;
-    pairs.clear();
-    tests = 0;
-}
-
 template <int Dim>
-void test_roots(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Front& front) {
-    front.clear();
+void test_roots(const PosedTree<Dim>& a, const PosedTree<Dim>& b, ListedFront& front,
+                FrontList& list) {
+    front = {};
     front.tests = 1;
+    front.pairs.first = static_cast<std::int32_t>(list.size());
     Sphere<Dim> root_a = a.sphere(0);
     root_a.radius += a.rounding() + b.rounding();
-    if (overlap(root_a, b.sphere(0))) front.pairs.push_back({0, 0});
+    if (overlap(root_a, b.sphere(0))) {
+        *list.room_for(1) = {0, 0};
+        list.take(1);
+        front.pairs.count = 1;
+    }
     const bool leaves = a.tree().is_leaf(0) && b.tree().is_leaf(0);
-    conclude(front, leaves, !front.pairs.empty() && !leaves);
+    conclude(front, leaves, front.pairs.count > 0 && !leaves);
 }
 
 template <int Dim>
-Refinement refine(PosedTree<Dim>& a, PosedTree<Dim>& b, Budget& budget, Front& front,
-                  std::vector<NodePair>& scratch) {
-    Level<Dim> level{a, b, budget, scratch, front.pairs.size()};
-    const bool done = level.expand_all(front.pairs);
+Refinement refine(PosedTree<Dim>& a, PosedTree<Dim>& b, Budget& budget, ListedFront& front,
+                  FrontList& list) {
+    Level<Dim> level{a, b, budget, list, static_cast<std::size_t>(front.pairs.count)};
+    const bool done = level.expand_all(front);
     front.tests += level.tests;
-    if (!done) return Refinement::interrupted;
-    // Copied, not swapped: so each front keeps its own storage, and a frame seen before allocates
-    // nothing.
-    front.pairs.assign(scratch.begin(),
-                       scratch.begin() + static_cast<std::ptrdiff_t>(level.found_count));
+    if (!done) {
+        list.shorten(level.begin);
+        return Refinement::interrupted;
+    }
+    list.replace(front, level.begin);
     bool any_leaf_pair = false;
     bool any_children = false;
-    for (const NodePair& pair : front.pairs) {
+    for (const NodePair& pair : list.pairs_of(front)) {
         const bool leaves = a.tree().is_leaf(pair.a) && b.tree().is_leaf(pair.b);
         any_leaf_pair |= leaves;
         any_children |= !leaves;
@@ -192,21 +201,22 @@ std::vector<Front> traverse_levels(const Body<Dim>& a, const Body<Dim>& b, int d
     world_a.pose(a);
     world_b.pose(b);
     Budget budget = Budget::unlimited();
-    std::vector<NodePair> scratch;
-    std::vector<Front> levels(1);
-    test_roots(world_a, world_b, levels.back());
-    while (!levels.back().finest && levels.back().level < deepest) {
-        Front next = levels.back();
-        if (refine(world_a, world_b, budget, next, scratch) == Refinement::interrupted) break;
-        levels.push_back(std::move(next));
+    FrontList list;
+    ListedFront front;
+    test_roots(world_a, world_b, front, list);
+    std::vector<Front> levels{list.front(front)};
+    while (!front.finest && front.level < deepest) {
+        if (refine(world_a, world_b, budget, front, list) == Refinement::interrupted) break;
+        levels.push_back(list.front(front));
     }
     return levels;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                        \
-    template void test_roots(const PosedTree<Dim>&, const PosedTree<Dim>&, Front&); \
-    template Refinement refine(PosedTree<Dim>&, PosedTree<Dim>&, Budget&, Front&,   \
-                               std::vector<NodePair>&);                             \
+#define LOD_INSTANTIATE(Dim)                                                             \
+    template void test_roots(const PosedTree<Dim>&, const PosedTree<Dim>&, ListedFront&, \
+                             FrontList&);                                                \
+    template Refinement refine(PosedTree<Dim>&, PosedTree<Dim>&, Budget&, ListedFront&,  \
+                               FrontList&);                                              \
     template std::vector<Front> traverse_levels(const Body<Dim>&, const Body<Dim>&, int);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)

@@ -30,6 +30,6 @@ int main() {
                     pair.verdict == lod::Verdict::apart      ? "apart"
                     : pair.verdict == lod::Verdict::possible ? "possibly touching"
                                                              : "touching",
-                    record.interrupted ? " (interrupted)" : "");
+                    record.interrupted() ? " (interrupted)" : "");
     }
 }

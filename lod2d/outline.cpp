@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lodlab/core/bit_hash.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod2d/orientation.hpp"
 
@@ -36,10 +37,13 @@ lod::PartPair<2> nearest_edges(const lod::Facet<2>& a, const lod::Facet<2>& b, d
 }
 
 ExactOutline::ExactOutline(const Shape& shape) : index_(shape.polygon) {
+    lod::BitHash hash;
     for (const Ring& ring : shape.polygon.rings) {
+        hash.add_all(ring);
         witnesses_.push_back(ring.front());
         for (const Point& p : ring) radius_ = std::max(radius_, p.norm());
     }
+    hash_ = hash.value();
     if (witnesses_.empty())
         throw lod::Error(lod::ErrorKind::input_refused,
                          shape.name + ": an empty polygon has no outline");

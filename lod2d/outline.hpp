@@ -14,6 +14,7 @@ class ExactOutline final : public lod::ExactShape<2> {
     explicit ExactOutline(const Shape& shape);
 
     [[nodiscard]] double radius() const override { return radius_; }
+    [[nodiscard]] std::uint64_t hash() const override { return hash_; }
     [[nodiscard]] std::span<const Point> witnesses() const override { return witnesses_; }
     [[nodiscard]] bool holds(const Point& p) const override { return index_.inside(p); }
     void visit_pairs(const lod::ExactShape<2>& b, const lod::Placement<2>& b_in_a,
@@ -29,6 +30,7 @@ class ExactOutline final : public lod::ExactShape<2> {
     BoundaryIndex index_;
     std::vector<Point> witnesses_;  ///< the first point of every ring
     double radius_ = 0;
+    std::uint64_t hash_ = 0;
 };
 
 /// Where two edges are nearest to each other. An edge runs with its region on its left.

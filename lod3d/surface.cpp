@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lodlab/core/bit_hash.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod3d/intersect.hpp"
 
@@ -124,6 +125,10 @@ Surface::Surface(const Solid& solid) : distance_(solid.mesh, solid.inside_rule) 
         if (!seen[part]) witnesses_.push_back(solid.mesh.corner(t, 0));
         seen[part] = true;
     }
+    lod::BitHash hash;
+    hash.add_all(solid.mesh.vertices);
+    for (const Triangle& triangle : solid.mesh.triangles) hash.add_all(triangle);
+    hash_ = hash.value();
     for (const Point& p : solid.mesh.vertices) radius_ = std::max(radius_, p.norm());
 }
 

@@ -14,6 +14,7 @@ class Surface final : public lod::ExactShape<3> {
     explicit Surface(const Solid& solid);
 
     [[nodiscard]] double radius() const override { return radius_; }
+    [[nodiscard]] std::uint64_t hash() const override { return hash_; }
     [[nodiscard]] std::span<const Point> witnesses() const override { return witnesses_; }
     [[nodiscard]] bool holds(const Point& p) const override { return distance_.inside(p); }
     void visit_pairs(const lod::ExactShape<3>& b, const lod::Placement<3>& b_in_a,
@@ -29,6 +30,7 @@ class Surface final : public lod::ExactShape<3> {
     MeshDistance distance_;
     std::vector<Point> witnesses_;  ///< a corner of every part
     double radius_ = 0;
+    std::uint64_t hash_ = 0;
 };
 
 /// Where two triangles are nearest to each other. Corners run anticlockwise seen from outside.

@@ -19,7 +19,7 @@ std::chrono::nanoseconds nanoseconds(double milliseconds) {
 lod::Budget frame_budget(const RunOptions& options, std::size_t frame) {
     if (!options.cuts.empty()) {
         const auto& cut = options.cuts[frame];
-        return cut ? lod::Budget::node_tests(*cut) : lod::Budget::unlimited();
+        return cut ? lod::Budget::until(*cut) : lod::Budget::unlimited();
     }
     if (options.limits.milliseconds)
         return lod::Budget::deadline(*options.clock, nanoseconds(*options.limits.milliseconds),
@@ -103,7 +103,6 @@ Run<Dim> run(std::vector<lod::Body<Dim>> bodies, const RunOptions& options) {
         lod::Budget budget = frame_budget(options, frame);
         step.record = lod::advance<Dim>(bodies, options.settings, budget, storage);
         if (options.clock) step.taken = options.clock->now() - begin;
-        if (budget.ended()) step.cut = budget.spent();
         check_range(seen, frame);
         step.state_hash = lod::state_hash(seen);
         result.steps.push_back(std::move(step));
@@ -125,7 +124,7 @@ Summary summarise(const Run<Dim>& run) {
     for (const Step<Dim>& step : run.steps) {
         summary.tests += step.record.tests;
         summary.contacts += step.record.impacts.size();
-        summary.interrupted_frames += step.record.interrupted ? 1 : 0;
+        summary.interrupted_frames += step.record.interrupted() ? 1 : 0;
         for (const lod::PairRecord& pair : step.record.pairs) {
             summary.exact_pairs += pair.finest != lod::Finest::leaves ? 1 : 0;
             summary.backtracked_pairs += pair.finest == lod::Finest::backtrack ? 1 : 0;

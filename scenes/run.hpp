@@ -29,7 +29,6 @@ template <int Dim>
 struct Step {
     std::vector<State<Dim>> before;  ///< one a body, before response and motion
     lod::FrameRecord<Dim> record;
-    std::optional<std::uint64_t> cut;  ///< node tests after which the budget ended the frame
     std::uint64_t state_hash = 0;      ///< of the bodies after the frame
     std::chrono::nanoseconds taken{};  ///< by the frame on the clock; 0 without one
 };
@@ -57,7 +56,7 @@ struct RunOptions {
     const lod::Clock* clock = nullptr;
     /// Replay: where each frame was cut, nothing for a frame that was not. Takes the place of
     /// node_tests and milliseconds. Requires: empty or one entry a frame.
-    std::span<const std::optional<std::uint64_t>> cuts;
+    std::span<const std::optional<lod::Cut>> cuts;
     std::function<void(double share)> progress;  ///< called after every frame with the share done
 };
 

@@ -1,11 +1,13 @@
 #include "lodlab/scenes/trace.hpp"
 
-#include <bit>
 #include <charconv>
 #include <nlohmann/json.hpp>
 
+#include "lodlab/core/bit_hash.hpp"
 #include "lodlab/core/error.hpp"
+#include "lodlab/core/exact_shape.hpp"
 #include "lodlab/core/output_file.hpp"
+#include "lodlab/core/state_hash.hpp"
 
 namespace scenes {
 namespace {
@@ -14,32 +16,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_bytes = 500'000'000;
 constexpr std::array<const char*, 3> verdict_names{"apart", "possible", "true"};
-
-class Fingerprint {
-  public:
-    void add(double number) {
-        const auto bits = std::bit_cast<std::uint64_t>(number);
-        for (int shift = 0; shift < 64; shift += 8) {
-            value_ ^= (bits >> shift) & 0xff;
-            value_ *= 1099511628211ULL;
-        }
-    }
-    void add(const std::vector<double>& numbers) {
-        for (double number : numbers) add(number);
-    }
-    void add(const std::vector<std::int32_t>& numbers) {
-        for (std::int32_t number : numbers) add(static_cast<double>(number));
-    }
-    template <int Rows, int Cols>
-    void add(const lod::FixedMatrix<Rows, Cols>& numbers) {
-        for (const double number : numbers) add(number);
-    }
-    void add(const lod::Quaternion& q) { add(q.coeffs()); }
-    [[nodiscard]] std::uint64_t value() const { return value_; }
-
-  private:
-    std::uint64_t value_ = 14695981039346656037ULL;
-};
 
 std::uint64_t from_hexadecimal(const std::string& text) {
     std::uint64_t number = 0;
@@ -158,6 +134,15 @@ lod::FrameSettings settings_from(const Json& json) {
     return settings;
 }
 
+Json cut_json(const lod::Cut& cut) {
+    return {{"pair", cut.pair}, {"level", cut.level}, {"tests", cut.tests}};
+}
+
+lod::Cut cut_from(const Json& json) {
+    return {json.at("pair").get<std::int32_t>(), json.at("level").get<std::int32_t>(),
+            json.at("tests").get<std::uint64_t>()};
+}
+
 Trace trace_from(const Json& json) {
     Trace trace;
     if (json.at("lodlab_trace").get<int>() != trace_version)
@@ -167,8 +152,7 @@ Trace trace_from(const Json& json) {
     trace.settings = settings_from(json.at("settings"));
     for (const Json& frame : json.at("frames")) {
         const Json& cut = frame.at("cut");
-        trace.cuts.push_back(cut.is_null() ? std::nullopt
-                                           : std::optional(cut.get<std::uint64_t>()));
+        trace.cuts.push_back(cut.is_null() ? std::nullopt : std::optional(cut_from(cut)));
         trace.state_hashes.push_back(
             from_hexadecimal(frame.at("state_hash").get_ref<const std::string&>()));
     }
@@ -187,7 +171,7 @@ std::string hexadecimal(std::uint64_t number) {
 
 template <int Dim>
 std::uint64_t fingerprint(std::span<const lod::Body<Dim>> bodies) {
-    Fingerprint all;
+    lod::BitHash all;
     for (const lod::Body<Dim>& body : bodies) {
         all.add(body.inverse_mass);
         all.add(body.inertia);
@@ -196,10 +180,8 @@ std::uint64_t fingerprint(std::span<const lod::Body<Dim>> bodies) {
         all.add(body.orientation);
         all.add(body.velocity);
         all.add(body.spin);
-        for (const auto& axis : body.tree->centre) all.add(axis);
-        for (const auto& axis : body.tree->normal) all.add(axis);
-        all.add(body.tree->radius);
-        all.add(body.tree->child_count);
+        all.add(lod::tree_hash(*body.tree));
+        all.add(body.exact ? body.exact->hash() : std::uint64_t{0});
     }
     return all.value();
 }
@@ -219,7 +201,7 @@ void write_trace(const std::filesystem::path& path, const std::string& scene,
     for (std::size_t k = 0; k < run.steps.size(); ++k) {
         lod::check_interrupted();
         const Step<Dim>& step = run.steps[k];
-        const Json frame = {{"cut", step.cut ? Json(*step.cut) : Json()},
+        const Json frame = {{"cut", step.record.cut ? cut_json(*step.record.cut) : Json()},
                             {"state_hash", hexadecimal(step.state_hash)},
                             {"tests", step.record.tests},
                             {"bodies", states(step.before)},

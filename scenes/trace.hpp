@@ -12,15 +12,15 @@
 namespace scenes {
 
 /// The version of the traces that are written and read.
-inline constexpr int trace_version = 1;
+inline constexpr int trace_version = 2;
 
 /// What a trace must say for a run to be played again to the same bits.
 struct Trace {
     std::string scene;              ///< its name
     std::uint64_t fingerprint = 0;  ///< of the bodies at the start
     lod::FrameSettings settings;
-    std::vector<std::optional<std::uint64_t>> cuts;  ///< one a frame, see Step
-    std::vector<std::uint64_t> state_hashes;         ///< one a frame, after it
+    std::vector<std::optional<lod::Cut>> cuts;  ///< one a frame, see FrameRecord
+    std::vector<std::uint64_t> state_hashes;    ///< one a frame, after it
 };
 
 /// FNV-1a over all that decides how bodies move from here: state, mass, inertia, restitution and

@@ -245,14 +245,14 @@ Front refine_within(const Body<2>& body_a, const Body<2>& body_b, std::uint64_t 
     world_a.pose(body_a);
     world_b.pose(body_b);
     Budget budget = Budget::node_tests(quota);
-    Front front;
-    std::vector<NodePair> scratch;
-    lod::test_roots(world_a, world_b, front);  // level 0 is always done
+    lod::FrontList list;
+    lod::ListedFront front;
+    lod::test_roots(world_a, world_b, front, list);  // level 0 is always done
     budget.spend(1);
     while (!front.finest)
-        if (lod::refine(world_a, world_b, budget, front, scratch) == lod::Refinement::interrupted)
+        if (lod::refine(world_a, world_b, budget, front, list) == lod::Refinement::interrupted)
             break;  // the front is still that of the last finished level
-    return front;
+    return list.front(front);
 }
 // end of listing
 

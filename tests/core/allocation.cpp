@@ -127,6 +127,33 @@ TEMPLATE_TEST_CASE_SIG("a warm frame allocates nothing", "[allocation]", ((int D
     }
 }
 
+TEMPLATE_TEST_CASE_SIG("a moving crowd allocates nothing once warm", "[allocation]",
+                       ((int Dim), Dim), 2, 3) {
+    // Bodies on circles through one place, at speeds of their own: they never meet twice alike.
+    Random random(92);
+    std::vector<Body<Dim>> bodies;
+    for (int i = 0; i < 20; ++i) {
+        bodies.push_back(random_body<Dim>(random));
+        bodies.back().tree = random_tree<Dim>(random, 3, 4, random.in(0.4, 1.0));
+    }
+    FrameStorage<Dim> storage;
+    const auto frames = [&](int first, int count) {
+        const std::size_t before = allocations;
+        for (int frame = first; frame < first + count; ++frame) {
+            for (std::size_t i = 0; i < bodies.size(); ++i) {
+                const auto pace = 0.01 + 0.001 * static_cast<double>(i);
+                const SineCosine turn = sine_cosine(pace * frame + static_cast<double>(i));
+                bodies[i].position = planar<Dim>(turn.cosine - 1, turn.sine);
+            }
+            Budget budget = frame % 2 == 0 ? Budget::unlimited() : Budget::node_tests(20000, 2.0);
+            advance<Dim>(bodies, {}, budget, storage);
+        }
+        return allocations - before;
+    };
+    CHECK(frames(0, 4000) > 0);  // until it has seen its greatest crowds
+    CHECK(frames(4000, 1000) == 0);
+}
+
 TEMPLATE_TEST_CASE_SIG("a single frame warms up for its like", "[allocation]", ((int Dim), Dim), 2,
                        3) {
     const auto start = crowd<Dim>();

@@ -10,6 +10,7 @@
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 
 using namespace lod;
 
@@ -110,6 +111,25 @@ void check_gas(int columns, int rows, int frames, bool print) {
 
 TEST_CASE("a gas of gears keeps its energy, and the walls take its momentum", "[gas]") {
     check_gas(4, 4, 200, false);
+}
+
+TEST_CASE("the response of each of 10,000 frames stays below its reserve, by count", "[gas]") {
+    // Kept in a box that is too small for them, at the allowances that a frame may have.
+    std::vector<Body<2>> bodies = gas_of(3, 3);
+    FrameStorage<2> storage;
+    std::uint64_t contacts = 0;
+    int cut = 0;
+    const int frames = lodtest::sanitized ? 1'000 : 10'000;
+    for (int frame = 0; frame < frames; ++frame) {
+        Budget budget = frame % 4 == 0 ? Budget::unlimited()
+                                       : Budget::node_tests(100U << frame % 8, frame % 3 * 20.0);
+        const auto& record = advance<2>(bodies, {}, budget, storage);
+        REQUIRE(record.response.row_visits <= record.reserved_row_visits);
+        contacts += record.impacts.size();
+        cut += record.interrupted() ? 1 : 0;
+    }
+    CHECK(contacts > static_cast<std::uint64_t>(frames / 2));
+    CHECK(cut > frames / 10);
 }
 
 // Some minutes: test_exact "[long]".

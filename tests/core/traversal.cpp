@@ -218,7 +218,7 @@ TEMPLATE_TEST_CASE_SIG("the deepest level asked for is the last one", "[traversa
 TEMPLATE_TEST_CASE_SIG("every budget ends at the last level that it could finish", "[traversal]",
                        ((int Dim), Dim), 2, 3) {
     Random random(74);
-    std::vector<NodePair> scratch;
+    FrontList list;
     for (int trial = 0; trial < 40; ++trial) {
         const auto a = random_placed<Dim>(random, 3, 4, 0.4);
         const auto b = random_placed<Dim>(random, 3, 4, 0.4);
@@ -229,16 +229,17 @@ TEMPLATE_TEST_CASE_SIG("every budget ends at the last level that it could finish
             world_a.pose(a);
             world_b.pose(b);
             Budget budget = Budget::node_tests(quota);
-            Front front;
-            test_roots(world_a, world_b, front);
+            list.clear();
+            ListedFront front;
+            test_roots(world_a, world_b, front, list);
             budget.spend(1);
             while (!front.finest &&
-                   refine(world_a, world_b, budget, front, scratch) == Refinement::finished) {
+                   refine(world_a, world_b, budget, front, list) == Refinement::finished) {
             }
             std::size_t last = 0;
             while (last + 1 < levels.size() && levels[last + 1].tests <= quota) ++last;
             CHECK(front.level == static_cast<int>(last));
-            CHECK(front.pairs == levels[last].pairs);
+            CHECK(list.front(front).pairs == levels[last].pairs);
             CHECK(front.verdict == levels[last].verdict);
             CHECK(front.finest == levels[last].finest);
             CHECK(front.tests == std::max<std::uint64_t>(1, quota));

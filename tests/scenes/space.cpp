@@ -75,7 +75,7 @@ double difference(const State<2>& flat, const State<3>& state) {
 }
 
 bool same(const lod::FrameRecord<2>& flat, const lod::FrameRecord<3>& record) {
-    return flat.tests == record.tests && flat.interrupted == record.interrupted &&
+    return flat.tests == record.tests && flat.interrupted() == record.interrupted() &&
            std::equal(flat.node_pairs.begin(), flat.node_pairs.end(), record.node_pairs.begin(),
                       record.node_pairs.end(),
                       [](const auto& x, const auto& y) { return x.a == y.a && x.b == y.b; });

@@ -1,9 +1,11 @@
 #include "lodlab/scenes/trace.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "lodlab/core/ball_union.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
 #include "tests/catch.hpp"
@@ -107,13 +109,34 @@ TEST_CASE("a trace of another scene is refused") {
                       lodtest::contains("the scene is not the one of the trace (crossing"));
 }
 
+TEST_CASE("a trace is of one geometry: hulls and true shapes count") {
+    auto bodies = crossing();
+    const auto before = scenes::fingerprint<2>(bodies);
+    auto tree = std::make_shared<lod::SphereTree<2>>(*bodies[0].tree);
+    bodies[0].tree = tree;
+    std::vector<std::uint64_t> all{before};
+    for (int node = 0; node < tree->size(); ++node)
+        tree->hulls.add({{{-1, -1}, {1, -1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 0}}, {}, false, false});
+    tree->hulls.find_best(tree->parent);
+    all.push_back(scenes::fingerprint<2>(bodies));
+    ++tree->hulls.entry_level;
+    all.push_back(scenes::fingerprint<2>(bodies));
+    for (const double radius : {1.0, 1.0 + 1e-15}) {
+        bodies[0].exact =
+            std::make_shared<lod::BallUnion<2>>(std::vector<lod::Sphere<2>>{{{0, 0}, radius}});
+        all.push_back(scenes::fingerprint<2>(bodies));
+    }
+    std::ranges::sort(all);
+    CHECK(std::ranges::adjacent_find(all) == all.end());
+}
+
 TEST_CASE("a trace that was edited is found out, with the frame") {
     scenes::Trace trace;
     const scenes::Run<2> run = budgeted_run();
     trace.fingerprint = scenes::fingerprint<2>(crossing());
     trace.settings = run.settings;
     for (const auto& step : run.steps) {
-        trace.cuts.push_back(step.cut);
+        trace.cuts.push_back(step.record.cut);
         trace.state_hashes.push_back(step.state_hash);
     }
     trace.state_hashes[123] ^= 1;
@@ -126,7 +149,7 @@ TEST_CASE("a file that is no trace is refused in one line") {
     const fs::path path = folder.path() / "bad.json";
     for (const char* text :
          {"", "{", "[]", "{}", "{\"lodlab_trace\": 99}", "{\"lodlab_trace\": \"1\"}", "null",
-          R"({"lodlab_trace": 1, "scene": "x", "fingerprint": "zz"})"}) {
+          R"({"lodlab_trace": 2, "scene": "x", "fingerprint": "zz"})"}) {
         const std::string line = refusal(path, text);
         INFO(line);
         CHECK(line.find("not a trace of lodlab") != std::string::npos);
