@@ -8,6 +8,7 @@
 #include "lodlab/core/output_file.hpp"
 #include "lodlab/viz/write.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 
 using namespace lessons;
 
@@ -68,6 +69,7 @@ TEST_CASE("every lesson runs, asks for a prediction, and draws figures that can 
 
 TEST_CASE("running a lesson twice gives the same texts and numbers", "[lessons]") {
     for (const Entry& entry : list()) {
+        if (lodtest::sanitized && entry.number > 2) break;
         const Lesson one = run(entry.number);
         const Lesson two = run(entry.number);
         REQUIRE(one.steps.size() == two.steps.size());
