@@ -1,10 +1,12 @@
-// A step of a crowd: a kinetic gas of stars, gears and Ls between four walls.
+// A step of a crowd: a kinetic gas of stars, gears and Ls between four half-spaces.
 // Usage: bench_crowd [BODIES [FRAMES [DEPTH]]]
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "bench/timing.hpp"
@@ -30,16 +32,14 @@ Kind kind_of(const char* spec, int depth) {
     return kind;
 }
 
-/// Four boxes around a square of that half side.
-void add_walls(double half, int depth, std::vector<lod::Body<2>>& bodies) {
-    const double length = 2 * half + 4;
-    const Kind wall = kind_of(("box:" + std::to_string(length) + ",2").c_str(), depth);
-    for (int side = 0; side < 4; ++side) {
+/// Four half-spaces around a square of that half side.
+void add_walls(double half, std::vector<lod::Body<2>>& bodies) {
+    for (const lod::Vector<2>& outwards : {lod::Vector<2>(1, 0), lod::Vector<2>(-1, 0),
+                                           lod::Vector<2>(0, 1), lod::Vector<2>(0, -1)}) {
         lod::Body<2> body;
         lod::make_static(body);
-        body.tree = wall.tree;
-        body.orientation = side % 2 == 0 ? 0 : std::acos(0.0);
-        body.position[side % 2 == 0 ? 1 : 0] = (side < 2 ? 1 : -1) * (half + 1);
+        body.tree = std::make_shared<const lod::SphereTree<2>>(lod::half_space<2>(-outwards));
+        body.position = half * outwards;
         bodies.push_back(body);
     }
 }
@@ -63,8 +63,39 @@ std::vector<lod::Body<2>> gas(int count, int depth) {
         body.spin[0] = random.next(-2, 2);
         bodies.push_back(body);
     }
-    add_walls(half, depth, bodies);
+    add_walls(half, bodies);
     return bodies;
+}
+
+/// What modelling the fronts of an instant costs, in all models, and how many contacts come of it.
+struct Modelling {
+    double seconds = 0;
+    double contacts = 0;
+    double pairs = 0;  ///< that touch
+};
+
+constexpr lod::ContactModel models[] = {lod::ContactModel::centre_line,
+                                        lod::ContactModel::node_normal, lod::ContactModel::hull};
+constexpr const char* model_names[] = {"centre_line", "node_normal", "hull"};
+
+/// The front of every pair once more, by one model. Requires: a frame that detect went through.
+Modelling model_all(std::span<const lod::Body<2>> bodies, lod::ContactModel model,
+                    lod::FrameStorage<2>& storage) {
+    Modelling sum;
+    sum.seconds = bench::wall_seconds([&] {
+        for (std::size_t p = 0; p < storage.candidates.size(); ++p) {
+            const auto a = static_cast<std::size_t>(storage.candidates[p].a);
+            const auto b = static_cast<std::size_t>(storage.candidates[p].b);
+            if (storage.fronts.pairs(p).empty()) continue;
+            storage.front_contacts.model(
+                storage.world_S[a], storage.world_S[b], storage.fronts.pairs(p), model,
+                lod::PointModel::radius_ratio, lod::pair_motion(bodies[a], bodies[b], 1.0 / 60),
+                storage.front);
+            sum.contacts += static_cast<double>(storage.front.contacts.size());
+            sum.pairs += storage.front.contacts.empty() ? 0 : 1;
+        }
+    });
+    return sum;
 }
 
 }  // namespace
@@ -77,6 +108,8 @@ int main(int argc, char** argv) {
     lod::FrameStorage<2> storage;
     std::vector<double> taken;
     std::vector<double> contacts_a_pair;
+    std::vector<double> row_visits;  ///< of a frame, for each of its contacts
+    Modelling all[3];
     for (int frame = 0; frame < frames; ++frame) {
         lod::Budget budget = lod::Budget::unlimited();
         const lod::FrameRecord<2>* record = nullptr;
@@ -84,6 +117,16 @@ int main(int argc, char** argv) {
             [&] { record = &lod::advance<2>(bodies, {.time_step = 1.0 / 60}, budget, storage); }));
         for (const lod::PairRecord& pair : record->pairs)
             if (pair.contact_count > 0) contacts_a_pair.push_back(pair.contact_count);
+        if (!record->impacts.empty())
+            row_visits.push_back(static_cast<double>(record->response.row_visits) /
+                                 static_cast<double>(record->impacts.size()));
+        lod::detect<2>(bodies, {.time_step = 1.0 / 60}, budget, storage);
+        for (std::size_t m = 0; m < 3; ++m) {
+            const Modelling one = model_all(bodies, models[m], storage);
+            all[m].seconds += one.seconds;
+            all[m].contacts += one.contacts;
+            all[m].pairs += one.pairs;
+        }
     }
     if (contacts_a_pair.empty()) contacts_a_pair.push_back(0);
     std::printf(
@@ -91,4 +134,12 @@ int main(int argc, char** argv) {
         "frames), end %016llx\n",
         count, depth, 1e3 * bench::median(taken), bench::median(contacts_a_pair), frames,
         static_cast<unsigned long long>(lod::state_hash<2>(bodies)));
+    for (std::size_t m = 0; m < 3; ++m)
+        std::printf("%s: %.3f us a touching pair to model, %.1f contacts each, %.3f us a contact\n",
+                    model_names[m], 1e6 * all[m].seconds / all[m].pairs,
+                    all[m].contacts / all[m].pairs, 1e6 * all[m].seconds / all[m].contacts);
+    if (!row_visits.empty())
+        std::printf("response: %.1f row visits a contact (median of frames), at most %.1f\n",
+                    bench::median(row_visits),
+                    *std::max_element(row_visits.begin(), row_visits.end()));
 }

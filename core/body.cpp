@@ -45,6 +45,8 @@ void check_body(const Body<Dim>& body, const std::string& name) {
         throw Error(ErrorKind::input_refused, "body " + name + ": " + why);
     };
     if (!body.tree || body.tree->size() == 0) refuse("has no tree; build one for its shape");
+    if (body.tree->is_half_space() && !body.is_static())
+        refuse("is a half-space, which has no mass; make it static");
     if (!body.position.allFinite() || !body.velocity.allFinite() || !body.spin.allFinite() ||
         !all_finite(body.orientation))
         refuse("position, orientation, velocity and spin must be finite numbers");

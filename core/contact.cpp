@@ -76,11 +76,25 @@ std::optional<Contact<Dim>> model_surface_contact(const SurfaceNode<Dim>& a,
     return contact;
 }
 
+template <int Dim>
+std::optional<Contact<Dim>> model_border_contact(const Sphere<Dim>& ball,
+                                                 const HalfSpace<Dim>& half_space, bool swapped,
+                                                 PointModel model) {
+    const Vector<Dim>& normal = half_space.normal;
+    const double height = half_space.side(ball.centre);
+    if (height > ball.radius) return std::nullopt;
+    const double down = model == PointModel::radius_ratio ? ball.radius : height;
+    return Contact<Dim>{ball.centre - down * normal, swapped ? normal : Vector<Dim>(-normal),
+                        ball.radius - height};
+}
+
 #define LOD_INSTANTIATE(Dim)                                                                   \
     template std::optional<Contact<Dim>> model_contact(const Sphere<Dim>&, const Sphere<Dim>&, \
                                                        PointModel, const Vector<Dim>&);        \
     template std::optional<Contact<Dim>> model_surface_contact(                                \
-        const SurfaceNode<Dim>&, const SurfaceNode<Dim>&, PointModel, const Vector<Dim>&);
+        const SurfaceNode<Dim>&, const SurfaceNode<Dim>&, PointModel, const Vector<Dim>&);     \
+    template std::optional<Contact<Dim>> model_border_contact(                                 \
+        const Sphere<Dim>&, const HalfSpace<Dim>&, bool, PointModel);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lodlab/core/body.hpp"
+#include "lodlab/core/half_space.hpp"
 
 namespace lod {
 
@@ -45,6 +46,14 @@ template <int Dim>
 [[nodiscard]] std::optional<Contact<Dim>> model_contact(
     const Sphere<Dim>& a, const Sphere<Dim>& b, PointModel model = PointModel::radius_ratio,
     const Vector<Dim>& fallback = Vector<Dim>::Zero());
+
+/// The same of a ball, A, and a half-space, B, or the other way round with `swapped`: what eq. 5
+/// tends to as one ball grows. The point is the deepest of the ball (radius_ratio) or the one of
+/// the border above it (plane_of_intersection). Requires: a unit normal.
+template <int Dim>
+[[nodiscard]] std::optional<Contact<Dim>> model_border_contact(const Sphere<Dim>& ball,
+                                                               const HalfSpace<Dim>& half_space,
+                                                               bool swapped, PointModel model);
 
 /// A node that meets another: its ball, and the mean outward unit normal of the surface that it
 /// stands for, world frame. The normal's length, the coherence, is 1 on a flat face and near 0 on a

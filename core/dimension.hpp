@@ -144,13 +144,13 @@ struct Space {
 
     /// Into how many steps free_turn must be split so that its iteration settles (it contracts by a
     /// factor of 4 a round); at most 1000.
-    static int free_turn_steps(const Matrix& rotation, const Inertia& inertia,
+    static int free_turn_steps(const Orientation& orientation, const Inertia& inertia,
                                const Inertia& inverse_inertia, const Spin& spin, double h) {
         if constexpr (Dim == 2) {
             return 1;
         } else {
             constexpr double most_steps = 1000;
-            const Spin momentum = inertia * (rotation.transpose() * spin);
+            const Spin momentum = inertia * (rotation(orientation).transpose() * spin);
             const double turn = h * inverse_inertia.norm() * momentum.norm();
             return turn > 0.5 ? static_cast<int>((std::min)(std::ceil(2 * turn), most_steps)) : 1;
         }
@@ -162,13 +162,14 @@ struct Space {
         Spin turn;
         Spin spin;
     };
-    static FreeTurn free_turn(const Matrix& rotation, const Inertia& inertia,
+    static FreeTurn free_turn(const Orientation& orientation, const Inertia& inertia,
                               const Inertia& inverse_inertia, const Spin& spin, double h) {
         if constexpr (Dim == 2) {
             return {h * spin, spin};
         } else {
             constexpr int most_rounds = 60;
-            const Spin momentum = inertia * (rotation.transpose() * spin);  // body frame
+            const Matrix turned = rotation(orientation);
+            const Spin momentum = inertia * (turned.transpose() * spin);  // body frame
             Spin middle = inverse_inertia * momentum;
             double change_before = std::numeric_limits<double>::infinity();
             for (int round = 0; round < most_rounds; ++round) {
@@ -182,8 +183,8 @@ struct Space {
             }
             // Q(h * middle) takes the momentum along: it stays put in the world frame.
             const Spin next = rotated(-h * middle, momentum);
-            const Spin turn = h * (rotation * middle);
-            const Spin spin_after = rotated(turn, Spin(rotation * (inverse_inertia * next)));
+            const Spin turn = h * (turned * middle);
+            const Spin spin_after = rotated(turn, Spin(turned * (inverse_inertia * next)));
             return {turn, spin_after};
         }
     }

@@ -115,8 +115,9 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
                                Budget& budget, FrameStorage<Dim>& storage) {
     pose_all(bodies, storage.world_S);
     storage.broad_phase.find(bodies, storage.world_S, storage.candidates);
-    prioritise<Dim>(settings.priority, bodies, storage.candidates, storage.order,
-                    storage.closing_speed);
+    const bool order_matters = !budget.is_unlimited() || settings.finest.level != Finest::leaves;
+    prioritise<Dim>(order_matters ? settings.priority : Priority::in_order, bodies,
+                    storage.candidates, storage.order, storage.closing_speed);
     const std::uint64_t spent_before = budget.spent();
     refine_all<Dim>(storage.candidates, storage.order,
                     {settings.deepest_level, settings.contact_model == ContactModel::hull},

@@ -65,7 +65,8 @@ struct FrameRecord {
     }
 };
 
-/// Storage that frames reuse: once its lists have been as long as they get, a frame allocates nothing.
+/// Storage that frames reuse: once its lists have been as long as they get, a frame allocates
+/// nothing.
 template <int Dim>
 struct FrameStorage {
     std::vector<PosedTree<Dim>> world_S;

@@ -24,13 +24,24 @@ std::optional<Contact<Dim>> patch_contact(const Sphere<Dim>& a, const Side& side
     return model_surface_contact<Dim>({a, mean(side_a)}, {b, mean(side_b)}, point_model, fallback);
 }
 
+/// The contact of a node's ball and a half-space.
+template <int Dim>
+std::optional<Contact<Dim>> border_contact(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                           const NodePair& nodes, PointModel point_model) {
+    return a.is_half_space()
+               ? model_border_contact(b.sphere(nodes.b), a.half_space(), true, point_model)
+               : model_border_contact(a.sphere(nodes.a), b.half_space(), false, point_model);
+}
+
 /// Two nodes whose balls fit better than their hulls touch as balls do.
 template <int Dim>
 std::optional<Manifold<Dim>> meet_balls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
                                         const NodePair& nodes, const PairMotion<Dim>& motion) {
     const auto contact =
-        model_contact<Dim>(a.sphere(nodes.a), b.sphere(nodes.b), PointModel::radius_ratio,
-                           motion.centre_b - motion.centre_a);
+        a.is_half_space() || b.is_half_space()
+            ? border_contact(a, b, nodes, PointModel::plane_of_intersection)
+            : model_contact<Dim>(a.sphere(nodes.a), b.sphere(nodes.b), PointModel::radius_ratio,
+                                 motion.centre_b - motion.centre_a);
     if (!contact) return std::nullopt;
     Manifold<Dim> manifold;
     manifold.normal = contact->normal;
@@ -94,11 +105,13 @@ std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedTree<Dim>
                                                             const PairMotion<Dim>& motion) {
     const NodeHulls<Dim>& hulls_a = a.tree().hulls;
     const NodeHulls<Dim>& hulls_b = b.tree().hulls;
-    if (hulls_a.is_round(nodes.a) && hulls_b.is_round(nodes.b))
-        return meet_balls(a, b, nodes, motion);
+    const bool round_a = hulls_a.is_round(nodes.a) || a.is_half_space();
+    const bool round_b = hulls_b.is_round(nodes.b) || b.is_half_space();
+    if (round_a && round_b) return meet_balls(a, b, nodes, motion);
     hull_a_.pose(hulls_a.of(nodes.a), a.rotation(), motion.centre_a);
     hull_b_.pose(hulls_b.of(nodes.b), b.rotation(), motion.centre_b);
-    return meet(hull_a_, hull_b_, motion, a.rounding() + b.rounding());
+    // Twice for the sums of products that a half-space takes (PosedTree::rounding).
+    return meet(hull_a_, hull_b_, motion, 2 * (a.rounding() + b.rounding()));
 }
 
 /// Every pair of nodes whose hulls meet is a patch.
@@ -152,13 +165,16 @@ void FrontContacts<Dim>::model_balls(const PosedTree<Dim>& a, const PosedTree<Di
                                      std::span<const NodePair> pairs, ContactModel contact_model,
                                      PointModel point_model, const Vector<Dim>& fallback,
                                      FrontModel<Dim>& found) {
-    const bool by_surface = contact_model != ContactModel::centre_line;
+    const bool by_border = a.is_half_space() || b.is_half_space();
+    const bool by_surface = contact_model != ContactModel::centre_line && !by_border;
     if (by_surface) find_patches(a, b, pairs);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Sphere<Dim> ball_a = a.sphere(pairs[i].a);
         const Sphere<Dim> ball_b = b.sphere(pairs[i].b);
         std::optional<Contact<Dim>> contact;
-        if (by_surface) {
+        if (by_border) {
+            contact = border_contact(a, b, pairs[i], point_model);
+        } else if (by_surface) {
             const Patch& patch = patches_[at(patch_of(static_cast<std::int32_t>(i)))];
             contact = patch_contact<Dim>(ball_a, patch.a, ball_b, patch.b, point_model, fallback);
         } else {

@@ -51,6 +51,19 @@ bool HullView<Dim>::is_closed() const {
 }
 
 template <int Dim>
+void NodeHulls<Dim>::add_half_space(const Vector<Dim>& normal) {
+    normals_.push_back(normal);
+    offsets_.push_back(0);
+    inner_.push_back(0);
+    loop_begin_.push_back(static_cast<std::int32_t>(loops_.size()));
+    edge_begin_.push_back(static_cast<std::int32_t>(edges_.size()));
+    tight_.push_back(1);
+    round_.push_back(0);
+    corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
+    face_begin_.push_back(static_cast<std::int32_t>(normals_.size()));
+}
+
+template <int Dim>
 void NodeHulls<Dim>::add(const Hull<Dim>& hull) {
     std::vector<Vector<Dim>> facet;
     for (const std::vector<std::int32_t>& face : hull.faces) {

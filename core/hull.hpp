@@ -47,7 +47,7 @@ struct HullEdge {
     std::int32_t right = 0;
 };
 
-/// One hull of many, in whatever frame they stand.
+/// One hull of many, in whatever frame they stand. A half-space has one face and no corners.
 template <int Dim>
 struct HullView {
     std::span<const Vector<Dim>> corners;
@@ -77,6 +77,9 @@ class NodeHulls {
     /// follows from its corners: its normal is that of the facet, its offset the largest of its own
     /// corners.
     void add(const Hull<Dim>& hull);
+
+    /// The next node's: a half-space with its border through the origin, one face without corners.
+    void add_half_space(const Vector<Dim>& normal);
 
     [[nodiscard]] bool empty() const { return corner_begin_.size() == 1; }
     [[nodiscard]] int size() const { return static_cast<int>(corner_begin_.size()) - 1; }

@@ -75,6 +75,7 @@ void consider(Axis<Dim> axis, double depth, double speed, double time_step, Axes
 template <int Dim>
 bool look(const PosedHull<Dim>& own, const PosedHull<Dim>& other, bool of_b,
           const PairMotion<Dim>& motion, double slack, Axes<Dim>& axes) {
+    if (other.body.corners.empty()) return true;  // a half-space has no end along any face
     for (std::size_t face = 0; face < own.body.normals.size(); ++face) {
         const Vector<Dim>& normal = own.normals[face];
         const Vector<Dim>& corner = other.corners[lowest(other, normal)];

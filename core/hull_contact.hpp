@@ -73,7 +73,8 @@ struct Manifold {
 /// along which the hulls overlap least gives the normal; but where some were crossed within the
 /// last time step, as the centres of mass move, the one crossed last: there the bodies met. The
 /// facet that lies against the face, clipped to it, gives the points, as far as they are within,
-/// halfway between the two surfaces. Returns nothing where some face separates the hulls by more
+/// halfway between the two surfaces. One may be a half-space, whose face then decides. Returns
+/// nothing where some face separates the hulls by more
 /// than `slack` [m]: a proof that what they hold is apart.
 template <int Dim>
 [[nodiscard]] std::optional<Manifold<Dim>> meet(const PosedHull<Dim>& a, const PosedHull<Dim>& b,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lodlab/core/body.hpp"
+#include "lodlab/core/half_space.hpp"
 
 namespace lod {
 
@@ -33,11 +34,19 @@ class PosedTree {
         return rotation_ * tree_->mean_normal(node);
     }
 
+    [[nodiscard]] bool is_half_space() const { return tree_->is_half_space(); }
+    /// World frame; its normal is a unit. Requires: is_half_space().
+    [[nodiscard]] HalfSpace<Dim> half_space() const {
+        const Vector<Dim> normal = rotation_ * *tree_->half_space;
+        return {normal, normal.dot(position_)};
+    }
+
     [[nodiscard]] const Matrix<Dim>& rotation() const { return rotation_; }
     [[nodiscard]] const Vector<Dim>& position() const { return position_; }
     [[nodiscard]] const SphereTree<Dim>& tree() const { return *tree_; }
     /// Bound of all rounding between the pose and the verdict of a distance test, this body's share
-    /// [m]: a test adds it to its reach, so that rounding never calls touching bodies apart.
+    /// [m]: a test adds it to its reach, so that rounding never calls touching bodies apart. The
+    /// test against a half-space, a sum of products of coordinates, adds it twice.
     [[nodiscard]] double rounding() const { return rounding_; }
     [[nodiscard]] const double* centres(int axis) const {
         return centre_[static_cast<std::size_t>(axis)].data();

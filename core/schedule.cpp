@@ -37,6 +37,8 @@ void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
 
 template <int Dim>
 int entry_level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, bool by_hulls) {
+    // Nothing of a half-space fits into a hollow.
+    if (a.is_half_space() || b.is_half_space()) return 0;
     if (!by_hulls || !a.tree().has_hulls() || !b.tree().has_hulls()) return 0;
     return std::max(a.tree().hulls.entry_level, b.tree().hulls.entry_level);
 }

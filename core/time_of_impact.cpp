@@ -21,12 +21,11 @@ struct Piece {
 template <int Dim>
 Piece<Dim> piece_from(const Body<Dim>& body, double seconds, double longest_turn) {
     if (body.is_static()) return {Spin<Dim>::Zero(), seconds};
-    const Matrix<Dim> rotation = Space<Dim>::rotation(body.orientation);
     const double step = std::min(seconds, longest_turn);
-    const double h = step / Space<Dim>::free_turn_steps(rotation, body.inertia,
+    const double h = step / Space<Dim>::free_turn_steps(body.orientation, body.inertia,
                                                         body.inverse_inertia, body.spin, step);
     const auto [turn, spin] =
-        Space<Dim>::free_turn(rotation, body.inertia, body.inverse_inertia, body.spin, h);
+        Space<Dim>::free_turn(body.orientation, body.inertia, body.inverse_inertia, body.spin, h);
     constexpr double steady = 1e-14;
     if ((spin - body.spin).norm() <= steady * body.spin.norm()) return {body.spin, seconds};
     return {turn / h, h};

@@ -36,6 +36,12 @@ void conclude(ListedFront& front, bool any_leaf_pair, bool any_children) {
         front.verdict = any_leaf_pair ? Verdict::true_collision : Verdict::possible;
 }
 
+/// The distance test of a half-space and a ball.
+template <int Dim>
+bool meets_border(const HalfSpace<Dim>& half_space, const Sphere<Dim>& ball, double slack) {
+    return half_space.side(ball.centre) <= ball.radius + 2 * slack;
+}
+
 /// One level in the making.
 template <int Dim>
 struct Level {
@@ -84,6 +90,19 @@ struct Level {
         list.take(n);
     }
 
+    /// The same of a half-space, `node` of one tree, which is the only one.
+    template <bool swapped>
+    void test_border(const HalfSpace<Dim>& half_space, const PosedTree<Dim>& many, int first,
+                     int count) {
+        NodePair* const out = list.room_for(static_cast<std::size_t>(count));
+        std::size_t n = 0;
+        for (int node = first; node < first + count; ++node) {
+            out[n] = swapped ? NodePair{node, 0} : NodePair{0, node};
+            n += meets_border(half_space, many.sphere(node), slack);
+        }
+        list.take(n);
+    }
+
     /// Asks the budget for so many tests. Returns false when it ended.
     bool pay(int wanted) {
         const auto granted = budget.grant(static_cast<std::uint64_t>(wanted), more_pairs());
@@ -103,8 +122,14 @@ struct Level {
     /// against nodes of A. Returns false when the budget ended.
     template <bool swapped>
     bool test(int node, int first, int count) {
+        const PosedTree<Dim>& one = swapped ? b : a;
         const PosedTree<Dim>& many = swapped ? a : b;
-        const Sphere<Dim> ball = grown(swapped ? b : a, node);
+        if (one.is_half_space()) {
+            if (!pay(count)) return false;
+            test_border<swapped>(one.half_space(), many, first, count);
+            return true;
+        }
+        const Sphere<Dim> ball = grown(one, node);
         for (int done = 0; done < count; done += most_at_once) {
             const int wanted = std::min(most_at_once, count - done);
             if (!pay(wanted)) return false;
@@ -153,6 +178,16 @@ struct Level {
     }
 };
 
+template <int Dim>
+bool roots_meet(const PosedTree<Dim>& a, const PosedTree<Dim>& b) {
+    const double slack = a.rounding() + b.rounding();
+    if (a.is_half_space()) return meets_border(a.half_space(), b.sphere(0), slack);
+    if (b.is_half_space()) return meets_border(b.half_space(), a.sphere(0), slack);
+    Sphere<Dim> root_a = a.sphere(0);
+    root_a.radius += slack;
+    return overlap(root_a, b.sphere(0));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -161,9 +196,7 @@ void test_roots(const PosedTree<Dim>& a, const PosedTree<Dim>& b, ListedFront& f
     front = {};
     front.tests = 1;
     front.pairs.first = static_cast<std::int32_t>(list.size());
-    Sphere<Dim> root_a = a.sphere(0);
-    root_a.radius += a.rounding() + b.rounding();
-    if (overlap(root_a, b.sphere(0))) {
+    if (roots_meet(a, b)) {
         *list.room_for(1) = {0, 0};
         list.take(1);
         front.pairs.count = 1;

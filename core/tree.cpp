@@ -107,10 +107,24 @@ SphereTree<Dim> single_sphere(const Sphere<Dim>& sphere) {
     return lay_out<Dim>(std::span(&root, 1));
 }
 
+template <int Dim>
+SphereTree<Dim> half_space(const Vector<Dim>& normal) {
+    if (!normal.allFinite() || normal.isZero(0))
+        throw Error(ErrorKind::input_refused,
+                    "the normal of a half-space must be finite and not zero");
+    SphereTree<Dim> tree = single_sphere<Dim>({Vector<Dim>::Zero(), 0});
+    tree.half_space = normal.stableNormalized();
+    tree.hulls.add_half_space(*tree.half_space);
+    tree.hulls.find_best(tree.parent);
+    return tree;
+}
+
 template struct SphereTree<2>;
 template struct SphereTree<3>;
 template SphereTree<2> lay_out(std::span<const TreeNode<2>>);
 template SphereTree<3> lay_out(std::span<const TreeNode<3>>);
+template SphereTree<2> half_space(const Vector<2>&);
+template SphereTree<3> half_space(const Vector<3>&);
 template SphereTree<2> single_sphere(const Sphere<2>&);
 template SphereTree<3> single_sphere(const Sphere<3>&);
 

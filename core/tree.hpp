@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,9 +33,13 @@ struct SphereTree {
     /// Radius of the ball about the body's origin that holds every node [m]; lay_out sets it. It
     /// bounds the rounding of a posed tree.
     double extent = 0;
+    /// Of a half-space: the outward unit normal of its border, which goes through the origin. Its
+    /// only node stands for all of it, exactly; that node's ball is meaningless.
+    std::optional<Vector<Dim>> half_space;
 
     [[nodiscard]] int size() const { return static_cast<int>(radius.size()); }
     [[nodiscard]] int levels() const { return static_cast<int>(level_begin.size()) - 1; }
+    [[nodiscard]] bool is_half_space() const { return half_space.has_value(); }
     [[nodiscard]] bool has_hulls() const { return !hulls.empty(); }
     [[nodiscard]] bool is_leaf(int node) const { return child_count[index(node)] == 0; }
     [[nodiscard]] Sphere<Dim> sphere(int node) const;
@@ -63,6 +68,12 @@ template <int Dim>
 /// A tree of a single node, for bodies that are balls.
 template <int Dim>
 [[nodiscard]] SphereTree<Dim> single_sphere(const Sphere<Dim>& sphere);
+
+/// What stands for the half-space on the other side of its border through the origin, for walls and
+/// floors: no tree, but one node that is met exactly at every level. `normal` points outwards; it
+/// is made a unit. Throws Error (input refused) for one that is zero or not finite.
+template <int Dim>
+[[nodiscard]] SphereTree<Dim> half_space(const Vector<Dim>& normal);
 
 extern template struct SphereTree<2>;
 extern template struct SphereTree<3>;

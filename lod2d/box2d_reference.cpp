@@ -22,6 +22,7 @@ constexpr float weld = 0.5f * b2_linearSlop;
 constexpr float least_area = 1e-5f;
 constexpr double most_dropped = 1e-3;    ///< share of a shape's area
 constexpr double same_direction = 1e-3;  ///< between two unit normals
+constexpr double border_reach = 1000;    ///< of a half-space, from its position [m]
 
 b2Vec2 to_box2d(const Point& p, double scale) {
     return {static_cast<float>(scale * p.x()), static_cast<float>(scale * p.y())};
@@ -74,6 +75,20 @@ void add_fixtures(b2Body& body, const Shape& shape, double scale) {
                              std::to_string(100 * share) +
                              " % of its area; raise units_per_metre (now " + std::to_string(scale) +
                              ")");
+}
+
+/// Gives a body the border of a half-space, whose bodies come from the side of its normal.
+void add_border(b2Body& body, const lod::Vector<2>& normal, double scale) {
+    const Point along = border_reach * Point(normal.y(), -normal.x());
+    b2EdgeShape edge;
+    // What comes from the right of the way from the second to the third is met.
+    edge.SetOneSided(to_box2d(2 * along, scale), to_box2d(along, scale), to_box2d(-along, scale),
+                     to_box2d(-2 * along, scale));
+    b2FixtureDef fixture;
+    fixture.shape = &edge;
+    fixture.friction = 0;
+    fixture.restitutionThreshold = 0;
+    body.CreateFixture(&fixture);
 }
 
 int index_of(b2Fixture& fixture) {
@@ -142,7 +157,10 @@ b2Body& add_body(b2World& world, const lod::Body<2>& body, const Shape& shape, s
     definition.allowSleep = false;
     definition.userData.pointer = index;
     b2Body& made = *world.CreateBody(&definition);
-    add_fixtures(made, shape, scale);
+    if (body.tree && body.tree->is_half_space())
+        add_border(made, *body.tree->half_space, scale);
+    else
+        add_fixtures(made, shape, scale);
     if (body.is_static()) return made;
     b2MassData mass;
     mass.mass = static_cast<float>(1 / body.inverse_mass);

@@ -54,7 +54,8 @@ struct Box2dRun {
 /// settings.time_step. A step is lodlab's: detect where the bodies are, respond, move. Single
 /// precision: numbers agree with exact mechanics to about 1e-6 of the largest that enters.
 ///
-/// `shapes[i]` is the shape of body i, in its body frame. Concave shapes become convex pieces of at
+/// `shapes[i]` is the shape of body i, in its body frame; of a half-space Box2D gets the border, as
+/// an edge that reaches 1 km to either side. Concave shapes become convex pieces of at
 /// most 8 corners; mass and inertia are the bodies' own. A pair's restitution is the smaller one.
 /// Requires frame_step > 0, frames >= 0. `progress`, where given, is called after every frame with
 /// the share done. Throws lod::Error: input refused where a shape is too fine for Box2D at this

@@ -8,6 +8,7 @@
 #include "lodlab/lod3d/import_limits.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/raise.hpp"
+#include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/shapes.hpp"
 
 namespace scenes {
@@ -42,6 +43,16 @@ PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice
     for (lod2d::Ring& ring : shape.polygon.rings)
         for (lod2d::Point& point : ring) point *= scale;
     return lod2d::make_shape(shape.name, shape.polygon);
+}
+
+PlaneShapes::Shape PlaneShapes::half_space() {
+    constexpr double reach = half_space_reach;
+    Shape shape;
+    shape.name = half_space_name;
+    shape.polygon.rings = {{{-reach, -reach}, {reach, -reach}, {reach, 0}, {-reach, 0}}};
+    shape.area = 2 * reach * reach;
+    shape.second_moment = 1;  // of no meaning: it never turns
+    return shape;
 }
 
 PlaneShapes::Settings PlaneShapes::settings(const TreeChoice& choice) {

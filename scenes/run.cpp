@@ -23,7 +23,7 @@ lod::Budget frame_budget(const RunOptions& options, std::size_t frame) {
     }
     if (options.limits.milliseconds)
         return lod::Budget::deadline(*options.clock, nanoseconds(*options.limits.milliseconds),
-                                     response_time_of_a_contact);
+                                     time_of_a_node_pair);
     if (options.limits.node_tests) return lod::Budget::node_tests(*options.limits.node_tests);
     return lod::Budget::unlimited();
 }

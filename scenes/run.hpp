@@ -60,9 +60,10 @@ struct RunOptions {
     std::function<void(double share)> progress;  ///< called after every frame with the share done
 };
 
-/// The time of the response that a deadline holds back for each contact: one contact's share of the
-/// net impulse on a processor of 2020, rounded up.
-inline constexpr std::chrono::nanoseconds response_time_of_a_contact{250};
+/// What a deadline holds back for each overlapping node pair, for its contact and the response to
+/// it: some five times what both took in a crowd (bench/crowd.cpp: 34 and 10 ns). How many row
+/// visits the response may take at most is counted (FrameRecord::reserved_row_visits).
+inline constexpr std::chrono::nanoseconds time_of_a_node_pair{250};
 
 /// Runs the bodies for options.frames frames. The same bodies and options give the same bits,
 /// except with milliseconds; such a run has the cuts with which it can be replayed. Throws

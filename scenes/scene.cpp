@@ -57,6 +57,20 @@ std::filesystem::path shape_file(const BodySpec& body, const std::filesystem::pa
     return scene.parent_path() / named;
 }
 
+/// It has no extent that could be chosen, and never moves.
+void complete_half_space(BodySpec& body) {
+    const auto drop = [&](bool given, const char* key) {
+        if (given)
+            refuse(body.where, "body " + body.name + " is a half-space, which has no " + key +
+                                   "; drop the key");
+    };
+    drop(body.size.has_value(), "size");
+    drop(body.mass.has_value(), "mass");
+    drop(body.fill, "mesh to fill");
+    drop(!body.sha256.empty(), "file");
+    body.is_static = true;
+}
+
 void complete(BodySpec& body, std::size_t number, const std::filesystem::path& path,
               std::set<std::string>& names) {
     if (body.shape.empty())
@@ -64,6 +78,7 @@ void complete(BodySpec& body, std::size_t number, const std::filesystem::path& p
     if (body.name.empty()) body.name = "body " + std::to_string(number);
     if (!names.insert(body.name).second)
         refuse(body.where, "a second body is called " + body.name + "; give it another name");
+    if (body.shape == half_space_name) complete_half_space(body);
     if (body.is_static && (body.velocity != Triple{} || body.spin != Triple{}))
         refuse(body.where,
                "body " + body.name + " is static and has a velocity or a spin; drop one of them");

@@ -19,26 +19,31 @@ using Triple = std::array<double, 3>;
 
 /// One body as a scene file describes it. World frame, SI units, radians.
 struct BodySpec {
-    std::string name;            ///< unique in its scene
-    std::string shape;           ///< as written: a file, "package:NAME/FILE", "text:R", a generator
-    std::filesystem::path file;  ///< where the shape is a file beside the scene: its path
-    std::string sha256;          ///< of the file that the scene was made with; empty: any will do
-    std::optional<double> size;  ///< longest side of the shape's box [m]
-    bool fill = false;           ///< open meshes are filled by winding number
-    double density = 1;          ///< [kg/m^2] in the plane, [kg/m^3] in space
-    std::optional<double> mass;  ///< [kg]; overrides the density
-    bool is_static = false;      ///< never moves
-    Triple position{};           ///< of the centre of mass [m]
-    Triple axis{0, 0, 1};        ///< unit vector that the body is turned about
-    double angle = 0;            ///< [rad], right-handed about the axis; the file says degrees
-    Triple velocity{};           ///< of the centre of mass [m/s]
-    Triple spin{};               ///< [rad/s]
-    double restitution = 1;      ///< 0 to 1; a pair takes the smaller
-    std::string builder;         ///< of the tree; empty: the default builder
+    std::string name;   ///< unique in its scene
+    std::string shape;  ///< as written: a file, "package:NAME/FILE", "text:R", a generator,
+                        ///< or half_space_name
+    std::filesystem::path file;    ///< where the shape is a file beside the scene: its path
+    std::string sha256;            ///< of the file that the scene was made with; empty: any will do
+    std::optional<double> size;    ///< longest side of the shape's box [m]
+    bool fill = false;             ///< open meshes are filled by winding number
+    double density = 1;            ///< [kg/m^2] in the plane, [kg/m^3] in space
+    std::optional<double> mass;    ///< [kg]; overrides the density
+    bool is_static = false;        ///< never moves
+    Triple position{};             ///< of the centre of mass [m]
+    Triple axis{0, 0, 1};          ///< unit vector that the body is turned about
+    double angle = 0;              ///< [rad], right-handed about the axis; the file says degrees
+    Triple velocity{};             ///< of the centre of mass [m/s]
+    Triple spin{};                 ///< [rad/s]
+    double restitution = 1;        ///< 0 to 1; a pair takes the smaller
+    std::string builder;           ///< of the tree; empty: the default builder
     std::optional<int> branching;  ///< children of a node; nothing: the builder's default
     std::optional<int> depth;      ///< levels below the root; nothing: the builder's default
     std::string where;             ///< "file:line:column" of its entry, for messages
 };
+
+/// The shape of a body that is all below a line or plane through its position; unturned, the second
+/// axis points out of it.
+inline constexpr std::string_view half_space_name = "half_space";
 
 /// How far a frame refines. At most one of the three is set; none means to the leaves.
 struct Limits {

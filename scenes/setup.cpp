@@ -118,8 +118,31 @@ lod::Body<Dim> body_of(const BodySpec& spec, const Shape<Dim>& shape,
     return body;
 }
 
+/// The shape, the tree and the body of one entry.
+template <int Dim>
+void add_body(const BodySpec& spec, const SetupOptions& options,
+              const std::function<void(double)>& progress, Setup<Dim>& setup, Stock<Dim>& stock) {
+    typename Stock<Dim>::SharedTree tree;
+    if (spec.shape == half_space_name) {
+        auto& shape = stock.shapes[{spec.shape, std::nullopt, false}];
+        if (!shape) shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::half_space());
+        setup.shapes.push_back(shape);
+        tree = std::make_shared<const lod::SphereTree<Dim>>(
+            lod::half_space<Dim>(lod::Vector<Dim>::Unit(1)));
+    } else {
+        setup.shapes.push_back(shape_of(spec, options.raise_limits, stock, setup.warnings));
+        tree = shared_tree(spec, *setup.shapes.back(), options.cache, progress, stock);
+    }
+    const Shape<Dim>& shape = *setup.shapes.back();
+    setup.bodies.push_back(body_of<Dim>(spec, shape, std::move(tree)));
+    auto& exact = stock.exact[&shape];
+    if (!exact) exact = Shapes<Dim>::exact_of(shape);
+    setup.bodies.back().exact = exact;
+}
+
 template <int Dim>
 bool roots_meet(const lod::Body<Dim>& a, const lod::Body<Dim>& b) {
+    if (a.tree->is_half_space() || b.tree->is_half_space()) return true;
     const lod::Sphere<Dim> root_a = a.tree->sphere(0);
     const lod::Sphere<Dim> root_b = b.tree->sphere(0);
     // Turning moves a centre within its distance from the centre of mass.
@@ -163,13 +186,7 @@ Setup<Dim> set_up(const Scene& scene, const SetupOptions& options) {
             if (options.progress) options.progress((done + share) / count);
         };
         try {
-            setup.shapes.push_back(shape_of(spec, options.raise_limits, stock, setup.warnings));
-            const Shape<Dim>& shape = *setup.shapes.back();
-            setup.bodies.push_back(body_of<Dim>(
-                spec, shape, shared_tree(spec, shape, options.cache, progress, stock)));
-            auto& exact = stock.exact[&shape];
-            if (!exact) exact = Shapes<Dim>::exact_of(shape);
-            setup.bodies.back().exact = exact;
+            add_body(spec, options, progress, setup, stock);
         } catch (const lod::Error& error) {
             // A shape that is misspelt in a file is input that is refused, not wrong usage.
             const auto kind = error.kind() == lod::ErrorKind::usage ? lod::ErrorKind::input_refused

@@ -19,6 +19,8 @@
 
 namespace scenes {
 
+inline constexpr double half_space_reach = 1e5;  ///< [m]
+
 /// How a shape is taken from its name.
 struct ShapeChoice {
     /// Longest side of its box [m]. Nothing: 1 m for drawings and texts; meshes and generators are
@@ -70,6 +72,8 @@ struct PlaneShapes {
     /// A drawing, "text:R" or a generator. Throws lod::Error as lod2d::load_shape does, and for a
     /// mesh.
     [[nodiscard]] static Shape named(const std::string& spec, const ShapeChoice& choice);
+    /// What of a half-space pictures and exact contact see: half_space_reach to all sides.
+    [[nodiscard]] static Shape half_space();
     /// Throws lod::Error (usage) for an unknown builder.
     [[nodiscard]] static Settings settings(const TreeChoice& choice);
     [[nodiscard]] static lod::SphereTree<2> build(const Shape& shape, const Settings& settings);
@@ -111,6 +115,7 @@ struct SpaceShapes {
     /// A mesh file or a generator. Throws lod::Error as lod3d::load_mesh, lod3d::make_solid and
     /// lod3d::solid_from_spec do, and for a drawing or a text.
     [[nodiscard]] static Shape named(const std::string& spec, const ShapeChoice& choice);
+    [[nodiscard]] static Shape half_space();
     [[nodiscard]] static Settings settings(const TreeChoice& choice);
     [[nodiscard]] static lod::SphereTree<3> build(const Shape& shape, const Settings& settings);
     static void identify(const Shape& shape, const Settings& settings, io::Sha256& key);

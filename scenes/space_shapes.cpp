@@ -8,6 +8,7 @@
 #include "lodlab/lod3d/surface.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/raise.hpp"
+#include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/shapes.hpp"
 
 namespace scenes {
@@ -70,6 +71,15 @@ SpaceShapes::Shape SpaceShapes::named(const std::string& spec, const ShapeChoice
     lod3d::SolidOptions options;
     options.fill = choice.fill;
     return lod3d::make_solid(name, std::move(mesh), options);
+}
+
+SpaceShapes::Shape SpaceShapes::half_space() {
+    Shape shape = lod3d::solid_from_spec("box:1,1,1");
+    shape.name = half_space_name;
+    // The box's upper side through the origin; what makes up a mass has no meaning, it never moves.
+    for (lod3d::Point& p : shape.mesh.vertices)
+        p = 2 * half_space_reach * (p - lod3d::Point(0, 0.5, 0));
+    return shape;
 }
 
 SpaceShapes::Settings SpaceShapes::settings(const TreeChoice& choice) {

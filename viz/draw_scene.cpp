@@ -23,6 +23,8 @@ std::vector<int> leaves_of(const lod::SphereTree<Dim>& tree) {
 
 template <int Dim>
 void add_outline(Panel& panel, const Actor<Dim>& actor, const Style& style) {
+    if (actor.body.tree && actor.body.tree->is_half_space())
+        return Sight<Dim>::add_half_space(panel, style, actor.look.outline, actor.body);
     if (Sight<Dim>::shown(actor.look.outline))
         return Sight<Dim>::add_outline(panel, style, actor.look.outline, actor.body);
     for (const int leaf : leaves_of(*actor.body.tree))
@@ -51,6 +53,7 @@ void add_ghost(Panel& panel, const Actor<Dim>& actor, int number, double opacity
 template <int Dim>
 void add_nodes(Panel& panel, const lod::Body<Dim>& body, std::span<const int> nodes, Role role,
                int number, double opacity) {
+    if (body.tree->is_half_space()) return;  // its only node is all of it
     for (const int node : nodes)
         Sight<Dim>::add_ball(
             panel,

@@ -51,6 +51,7 @@ lod::Sphere<Dim> carried_node(const lod::Body<Dim>& body, int node) {
 template <int Dim>
 void take_in(View<Dim>& view, const Actor<Dim>& actor) {
     const lod::Body<Dim>& body = actor.body;
+    if (body.tree && body.tree->is_half_space()) return;  // it is everywhere
     const lod::Matrix<Dim> R = lod::Space<Dim>::rotation(body.orientation);
     for (const lod::Vector<Dim>& p : Sight<Dim>::points_of(actor.look.outline))
         view.take_in(body.position + R * p, 0);

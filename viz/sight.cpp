@@ -21,6 +21,7 @@ constexpr double usual_azimuth = 0.55;  ///< where nothing moves [rad]
 constexpr double eye_distance = 2.2;
 constexpr double ground_below = 0.06;  ///< shares of what is to be seen
 constexpr double ground_reach = 0.95;
+constexpr double level_floor = 0.999;  ///< upward part of the normal of what is a floor
 constexpr int grid_lines = 10;
 constexpr std::size_t most_casters = 12;
 
@@ -145,6 +146,11 @@ void Sight<2>::add_outline(Panel& panel, const Style& style, const Outline& outl
     panel.marks.push_back(std::move(path));
 }
 
+void Sight<2>::add_half_space(Panel& panel, const Style& style, const Outline& outline,
+                              const lod::Body<2>& body) {
+    add_outline(panel, style, outline, body);
+}
+
 void Sight<2>::add_ball(Panel& panel, const Style& style, const lod::Sphere<2>& ball) {
     panel.marks.push_back(Disc{style, {ball.centre.x(), ball.centre.y()}, ball.radius});
 }
@@ -194,12 +200,21 @@ void Sight<3>::add_outline(Panel& panel, const Style& style, const Outline& outl
                                    {point3(R.col(0)), point3(R.col(1)), point3(R.col(2))}});
 }
 
+void Sight<3>::add_half_space(Panel& panel, const Style&, const Outline&,
+                              const lod::Body<3>& body) {
+    const lod::Vector<3> normal =
+        lod::Space<3>::rotation(body.orientation) * *body.tree->half_space;
+    if (!panel.space->ground || normal.y() < level_floor) return;
+    panel.space->ground->height = body.position.y();
+    panel.space->ground->centre.y = body.position.y();
+}
+
 void Sight<3>::add_ball(Panel& panel, const Style& style, const lod::Sphere<3>& ball) {
     panel.space->balls.push_back({style, point3(ball.centre), ball.radius});
 }
 
 void Sight<3>::add_shadow(Panel& panel, const lod::Body<3>& body) {
-    if (!panel.space->ground || !body.tree) return;
+    if (!panel.space->ground || !body.tree || body.tree->is_half_space()) return;
     int level = 0;
     while (level + 1 < body.tree->levels() &&
            body.tree->level_nodes(level + 1).size() <= most_casters)

@@ -81,6 +81,9 @@ struct Sight<2> {
     [[nodiscard]] static double magnification(const Panel&, const lod::Vector<2>&) { return 1; }
     static void add_outline(Panel& panel, const Style& style, const Outline& outline,
                             const lod::Body<2>& body);
+    /// Its outline, as far as the panel reaches.
+    static void add_half_space(Panel& panel, const Style& style, const Outline& outline,
+                               const lod::Body<2>& body);
     static void add_ball(Panel& panel, const Style& style, const lod::Sphere<2>& ball);
     /// What casts its shadow on the ground.
     static void add_shadow(Panel&, const lod::Body<2>&) {}
@@ -112,6 +115,10 @@ struct Sight<3> {
     [[nodiscard]] static double magnification(const Panel& panel, const lod::Vector<3>& v);
     static void add_outline(Panel& panel, const Style& style, const Outline& outline,
                             const lod::Body<3>& body);
+    /// A level floor is where the ground lies; other walls are not drawn: they would hide the
+    /// scene.
+    static void add_half_space(Panel& panel, const Style& style, const Outline& outline,
+                               const lod::Body<3>& body);
     static void add_ball(Panel& panel, const Style& style, const lod::Sphere<3>& ball);
     static void add_shadow(Panel& panel, const lod::Body<3>& body);
     [[nodiscard]] static std::vector<lod::Vector<3>> points_of(const Outline& outline);

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lodlab/core/box.hpp"
-#include "lodlab/core/builder/half_space.hpp"
+#include "lodlab/core/half_space.hpp"
 
 namespace lod {
 

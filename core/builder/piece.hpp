@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "lodlab/core/builder/half_space.hpp"
+#include "lodlab/core/half_space.hpp"
 #include "lodlab/core/sphere.hpp"
 
 namespace lod {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/builder/half_space.hpp"
+#include "lodlab/core/half_space.hpp"
 #include "lodlab/core/sphere.hpp"
 
 namespace lod {

@@ -104,6 +104,37 @@ TEST_CASE("Box2D takes the smaller restitution and knows static bodies", "[box2d
     CHECK(std::abs(impact.after[1].spin[0]) < 1e-5);
 }
 
+TEST_CASE("Box2D and lodlab agree on a box whose corner falls on a half-space", "[box2d]") {
+    // Case 4 of METHOD.md: a unit square comes down on a corner at 0.25 from its middle.
+    const Shape box = generate("box:1,1");
+    const double turn = std::atan2(1.0, 1.0) - std::asin(0.25 / std::sqrt(0.5));
+    lod::Body<2> floor;
+    lod::make_static(floor);
+    floor.tree = std::make_shared<lod::SphereTree<2>>(lod::half_space<2>({0, 1}));
+    for (const double down : {0.0, 0.7}) {  // and the same on a wall turned by it
+        lod::Body<2> border = floor;
+        border.orientation = down;
+        const lod::Matrix<2> R = lod::Space<2>::rotation(down);
+        lod::Body<2> square = body_of(box, 1, R * Point(0.3, 0.9), R * Point(0, -1), turn + down);
+        square.tree = std::make_shared<lod::SphereTree<2>>(build_tree(box));
+        const std::vector<lod::Body<2>> bodies{square, border};
+        const Shape* const shapes[] = {&box, &box};
+        const Box2dImpact impact = run_to_impact(bodies, shapes);
+        REQUIRE(impact.happened);
+        const Point velocity = R.transpose() * impact.after[0].velocity;
+        CHECK(std::abs(velocity.y() - 0.454545454545) <= 1e-3);
+        CHECK(std::abs(std::abs(impact.after[0].spin[0]) - 2.181818181818) <= 1e-3);
+        std::vector<lod::Body<2>> ours = bodies;
+        lod::FrameStorage<2> storage;
+        for (int frame = 0; frame < 2000 && ours[0].spin[0] == 0; ++frame) {
+            lod::Budget budget = lod::Budget::unlimited();
+            lod::advance<2>(ours, {.time_step = 1.0 / 3840}, budget, storage);
+        }
+        CHECK(std::abs((R.transpose() * ours[0].velocity).y() - velocity.y()) <= 1e-3);
+        CHECK(std::abs(ours[0].spin[0] - impact.after[0].spin[0]) <= 1e-3);
+    }
+}
+
 TEST_CASE("bodies that miss each other run to the last step", "[box2d]") {
     const Shape star = generate("star:5");
     const std::vector<lod::Body<2>> bodies{body_of(star, 1, {0, 0}, {1, 0}),

@@ -152,6 +152,41 @@ World<3> six_plates(Random& random, double speed) {
     return world;
 }
 
+/// A square of 6 m, or a cube of 3 m, between half-spaces.
+template <int Dim>
+World<Dim> between_half_spaces(std::span<const Body<Dim>> shapes, double half, int across,
+                               Random& random, double speed) {
+    World<Dim> world;
+    world.half = half;
+    for (int axis = 0; axis < Dim; ++axis)
+        for (const double sign : {-half, half}) {
+            Body<Dim> wall;
+            wall.tree = std::make_shared<lod::SphereTree<Dim>>(
+                lod::half_space<Dim>(lod::Vector<Dim>(-sign * lod::Vector<Dim>::Unit(axis))));
+            world.bodies.push_back(
+                standing<Dim>(wall, lod::Vector<Dim>(sign * lod::Vector<Dim>::Unit(axis))));
+        }
+    const int count = Dim == 2 ? across * across : across * across * across;
+    for (int i = 0; i < count; ++i) {
+        lod::Vector<Dim> position;
+        for (int axis = 0, rest = i; axis < Dim; ++axis, rest /= across)
+            position[axis] = 2 * half / across * (rest % across + 0.5) - half;
+        const auto which = static_cast<std::size_t>(random.below(static_cast<int>(shapes.size())));
+        world.add(random, shapes[which], position, speed);
+    }
+    return world;
+}
+
+World<2> square_of_half_spaces(Random& random, double speed) {
+    static const Body<2> shapes[] = {body_of("gear:9"), body_of("star:5"), body_of("L")};
+    return between_half_spaces<2>(shapes, 3, 3, random, speed);
+}
+
+World<3> cube_of_half_spaces(Random& random, double speed) {
+    static const Body<3> shapes[] = {solid_of("box:0.7,0.7,0.7"), solid_of("L"), solid_of("ring")};
+    return between_half_spaces<3>(shapes, 2, 2, random, speed);
+}
+
 }  // namespace
 
 TEST_CASE("no gear leaves the box of gears_in_a_box, at any level and budget", "[containment]") {
@@ -167,8 +202,7 @@ TEST_CASE("no gear leaves the box of gears_in_a_box, at any level and budget", "
         const auto run = scenes::run(setup.bodies, options);
         int inside = 0;
         for (std::size_t i = 4; i < run.end.size(); ++i)
-            inside +=
-                std::abs(run.end[i].position[0]) < 3.25 && std::abs(run.end[i].position[1]) < 2.25;
+            inside += std::abs(run.end[i].position[0]) < 3 && std::abs(run.end[i].position[1]) < 2;
         INFO("level " << allowed.level << ", tests " << allowed.tests.value_or(999999));
         CHECK(inside == 12);
     }
@@ -189,6 +223,14 @@ void check_nobody_leaves(const MakeWorld& make, std::initializer_list<double> sp
 }
 
 }  // namespace
+
+TEST_CASE("nobody leaves a square of half-spaces", "[containment]") {
+    check_nobody_leaves(square_of_half_spaces, {1.0, 8.0, 15.0}, 180);
+}
+
+TEST_CASE("nobody leaves a cube of half-spaces", "[containment]") {
+    check_nobody_leaves(cube_of_half_spaces, {1.0, 6.0, 12.0}, 120);
+}
 
 TEST_CASE("nobody passes walls that have trees", "[containment]") {
     check_nobody_leaves(four_walls, {1.0, 8.0, 15.0}, 180);

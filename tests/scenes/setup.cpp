@@ -1,6 +1,7 @@
 #include "lodlab/scenes/setup.hpp"
 
 #include "lodlab/core/error.hpp"
+#include "lodlab/core/exact_shape.hpp"
 #include "lodlab/core/output_file.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "tests/catch.hpp"
@@ -30,6 +31,57 @@ static = true
     CHECK(1 / setup.bodies[1].inverse_mass == Approx(12));
     CHECK(setup.bodies[1].inertia(0, 0) == Approx(12.0 * 5 / 12));
     CHECK(setup.bodies[2].is_static());
+}
+
+TEST_CASE("a half-space is static, points up unless it is turned, and is met at its border") {
+    const scenes::Setup<2> setup = staged(R"(
+[[body]]
+shape = "half_space"
+position = [0, -1]
+[[body]]
+shape = "half_space"
+position = [3, 0]
+angle = 90
+[[body]]
+shape = "box:1,1"
+position = [0, -0.6]
+)");
+    CHECK(setup.bodies[0].is_static());
+    CHECK(setup.bodies[0].tree->half_space == lod::Vector<2>(0, 1));
+    const auto normal =
+        lod::Space<2>::rotation(setup.bodies[1].orientation) * *setup.bodies[1].tree->half_space;
+    CHECK((normal - lod::Vector<2>(-1, 0)).norm() <= 1e-15);
+    REQUIRE(setup.warnings.size() == 1);
+    CHECK_THAT(setup.warnings[0], lodtest::contains("bodies body 1 and body 3 touch or overlap"));
+    // The true shapes: the lower side of the box is 0.1 below the border.
+    const auto& bodies = setup.bodies;
+    CHECK(lod::exactly_overlap(bodies[0], bodies[2]));
+    CHECK(lod::separation(bodies[1], bodies[2]).distance == Approx(2.5));
+}
+
+TEST_CASE("a half-space in space points along the second axis") {
+    const scenes::Setup<3> setup = staged<3>(R"(
+dim = 3
+[[body]]
+shape = "half_space"
+[[body]]
+shape = "box:1,1,1"
+position = [200, 0.75, -300]
+)");
+    CHECK(setup.bodies[0].tree->half_space == lod::Vector<3>(0, 1, 0));
+    CHECK(setup.warnings.empty());
+    CHECK(lod::separation(setup.bodies[0], setup.bodies[1]).distance == Approx(0.25));
+}
+
+TEST_CASE("what a half-space does not have is refused with the mend") {
+    const auto refusal = [](const std::string& key) {
+        return [key] { (void)staged("[[body]]\nshape = \"half_space\"\n" + key); };
+    };
+    CHECK_THROWS_WITH(refusal("size = 2")(),
+                      lodtest::contains("half-space, which has no size; drop the key"));
+    CHECK_THROWS_WITH(refusal("mass = 2")(), lodtest::contains("which has no mass; drop the key"));
+    CHECK_THROWS_WITH(refusal("velocity = [1, 0]")(),
+                      lodtest::contains("is static and has a velocity"));
 }
 
 TEST_CASE("bodies with the same shape and settings share one tree") {
