@@ -82,25 +82,27 @@ std::string report_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& insta
 }
 
 viz::Figure projected(const viz::Actor<3>& a, const viz::Actor<3>& b,
-                      const std::vector<lod::Front>& fronts) {
-    const auto last = std::find_if(fronts.rbegin(), fronts.rend(),
-                                   [](const lod::Front& front) { return !front.pairs.empty(); });
-    if (last == fronts.rend())
+                      const lod::FrameRecord<3>& record, const lod::PairRecord& pair) {
+    if (pair.contact_count == 0)
         throw lod::Error(lod::ErrorKind::input_refused,
-                         "no spheres intersect at that instant; choose another by --at");
-    return viz::projected_collision(a, b, *last);
+                         "no two bodies touch at that instant; choose another by --at");
+    return viz::projected_collision(a, b, record, pair);
 }
-viz::Figure projected(const viz::Actor<2>&, const viz::Actor<2>&, const std::vector<lod::Front>&) {
+viz::Figure projected(const viz::Actor<2>&, const viz::Actor<2>&, const lod::FrameRecord<2>&,
+                      const lod::PairRecord&) {
     throw lod::Error(lod::ErrorKind::usage, "the scene lies in a plane already; drop --projected");
 }
 
-/// The traversal of the pair that took the most tests: the one worth a look.
+/// The traversal of the pair that took the most tests, or the projection of the one with the most
+/// contacts: the one worth a look.
 template <int Dim>
 viz::Figure figure_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& instant,
                       bool is_projected) {
     const auto& pairs = instant.record.pairs;
-    const auto busiest = std::max_element(
-        pairs.begin(), pairs.end(), [](const auto& x, const auto& y) { return x.tests < y.tests; });
+    const auto busiest =
+        std::max_element(pairs.begin(), pairs.end(), [&](const auto& x, const auto& y) {
+            return is_projected ? x.contact_count < y.contact_count : x.tests < y.tests;
+        });
     if (busiest == pairs.end())
         throw lod::Error(
             lod::ErrorKind::input_refused,
@@ -109,8 +111,10 @@ viz::Figure figure_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& insta
     const viz::Actor<Dim> a = actor_of(setup, instant.bodies, busiest->bodies.a);
     const viz::Actor<Dim> b = actor_of(setup, instant.bodies, busiest->bodies.b);
     const std::vector<lod::Front> fronts = levels_of(instant, *busiest);
-    if (is_projected) return projected(a, b, fronts);
-    return viz::traversal<Dim>(a, b, fronts, {}, viewpoint_of<Dim>(setup.scene));
+    if (is_projected) return projected(a, b, instant.record, *busiest);
+    const bool proved_apart =
+        busiest->verdict == lod::Verdict::apart && !fronts.back().pairs.empty();
+    return viz::traversal<Dim>(a, b, fronts, {}, viewpoint_of<Dim>(setup.scene), proved_apart);
 }
 
 template <int Dim>

@@ -25,7 +25,7 @@ constexpr Command table[] = {
      "--merge --out --no-cache --raise-limits --theme --quality --json", run_degrade},
     {"figure", "A figure of the paper, from running code: 1, 2, 3, 4, 5 or 9",
      "lodlab figure 9 --out figure-9.png --out figure-9.mp4",
-     "FIGURE --dim --out --no-cache --theme --quality", run_figure},
+     "FIGURE --dim --contact-model --out --no-cache --theme --quality", run_figure},
     {"lesson", "List the lessons, or step through one, forwards and backwards",
      "lodlab lesson 3 --out pictures", "[LESSON] --pictures --theme", run_lesson},
     {"book", "Write the lessons as web pages that need no network",

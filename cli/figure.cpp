@@ -131,10 +131,30 @@ Drawing backtracking_too_early(const Options& options) {
     return drawing;
 }
 
+/// The contact model of a figure: the paper's, unless another is asked for.
+lod::ContactModel model_of(const Options& options, const scenes::Scene& asked) {
+    return options.contact_model.empty() ? lod::ContactModel::centre_line : asked.contact_model;
+}
+
+/// What the caption says of it.
+std::string model_words(lod::ContactModel model) {
+    switch (model) {
+        case lod::ContactModel::centre_line:
+            return " Normals run from centre to centre, as in the paper (equation 4); see "
+                   "--contact-model hull for the same with hulls.";
+        case lod::ContactModel::node_normal:
+            return " Normals are those of the surfaces that the nodes stand for.";
+        case lod::ContactModel::hull:
+            return " Contacts come from the convex hulls of what the nodes hold.";
+    }
+    return "";
+}
+
 /// Figure 9: one collision of two real shapes, interrupted at levels 1, 2 and 3.
 template <int Dim>
 Drawing strips_of_a_collision(const Options& options) {
     scenes::Setup<Dim> setup = stage_named<Dim>(cast<Dim>.collision, options);
+    setup.scene.contact_model = model_of(options, setup.scene);
     std::vector<viz::Run<Dim>> runs;
     for (const int level : {1, 2, 3}) {
         const std::string name = "Level " + std::to_string(level);
@@ -143,7 +163,12 @@ Drawing strips_of_a_collision(const Options& options) {
     }
     const auto viewpoint = viewpoint_of<Dim>(setup.scene);
     Drawing drawing;
-    drawing.figure = [runs, viewpoint] { return viz::strips<Dim>(runs, {}, viewpoint); };
+    const std::string words = model_words(setup.scene.contact_model);
+    drawing.figure = [runs, viewpoint, words] {
+        viz::Figure figure = viz::strips<Dim>(runs, {}, viewpoint);
+        figure.caption += words;
+        return figure;
+    };
     drawing.animation = [runs, viewpoint] { return viz::impact_motion<Dim>(runs, {}, viewpoint); };
     return drawing;
 }
@@ -173,6 +198,10 @@ void run_figure(const Options& options) {
         if (draw == nullptr)
             throw lod::Error(lod::ErrorKind::usage, "figure " + std::to_string(figure.number) +
                                                         " is the same in space; leave --dim 3 out");
+        if (!options.contact_model.empty() && figure.number != 9)
+            throw lod::Error(lod::ErrorKind::usage,
+                             "only figure 9 can be drawn with another contact model; drop "
+                             "--contact-model");
         check_outputs(options, {.video = figure.has_video});
         Options named = options;
         if (named.out.empty()) {

@@ -84,6 +84,8 @@ void NodeHulls<Dim>::add(const Hull<Dim>& hull) {
     edge_begin_.push_back(static_cast<std::int32_t>(edges_.size()));
     tight_.push_back(hull.tight);
     round_.push_back(hull.round);
+    for (std::size_t corner = 0; corner < hull.corners.size(); ++corner)
+        cut_.push_back(corner < hull.cut.size() && hull.cut[corner]);
     corners_.insert(corners_.end(), hull.corners.begin(), hull.corners.end());
     corner_begin_.push_back(static_cast<std::int32_t>(corners_.size()));
     face_begin_.push_back(static_cast<std::int32_t>(normals_.size()));
@@ -109,11 +111,16 @@ HullView<Dim> NodeHulls<Dim>::of(int node) const {
     const std::size_t edges = static_cast<std::size_t>(edge_begin_[n + 1]) - edge;
     const std::size_t corners = static_cast<std::size_t>(corner_begin_[n + 1]) - corner;
     const std::size_t faces = static_cast<std::size_t>(face_begin_[n + 1]) - face;
-    return {
-        std::span(corners_).subspan(corner, corners),    std::span(normals_).subspan(face, faces),
-        std::span(offsets_).subspan(face, faces),        std::span(inner_).subspan(face, faces),
-        std::span(loop_begin_).subspan(face, faces + 1), loops_,
-        std::span(edges_).subspan(edge, edges)};
+    HullView<Dim> view;
+    view.corners = std::span(corners_).subspan(corner, corners);
+    view.normals = std::span(normals_).subspan(face, faces);
+    view.offsets = std::span(offsets_).subspan(face, faces);
+    view.inner = std::span(inner_).subspan(face, faces);
+    view.cut = std::span(cut_).subspan(corner, corners);
+    view.loop_begin = std::span(loop_begin_).subspan(face, faces + 1);
+    view.loops = loops_;
+    view.edges = std::span(edges_).subspan(edge, edges);
+    return view;
 }
 
 template struct HullView<2>;

@@ -25,6 +25,8 @@ struct Hull {
     /// Of each face: whether it lies within the shape, where the node's piece was cut from its
     /// neighbours'. Nothing can touch the shape there.
     std::vector<bool> inner;
+    /// Of each corner: whether only such a cut made it, so that the shape's surface goes on there.
+    std::vector<bool> cut;
     /// Whether the hull is the node's piece itself, all but a hair: the piece is convex.
     bool tight = false;
     /// Whether the node's ball stands out of the shape less than the hull does.
@@ -54,6 +56,7 @@ struct HullView {
     std::span<const Vector<Dim>> normals;      ///< of each face, unit, outward
     std::span<const double> offsets;           ///< of each face: normal . x <= offset within
     std::span<const char> inner;               ///< of each face: whether it lies within the shape
+    std::span<const char> cut;                 ///< of each corner: whether only a cut made it
     std::span<const std::int32_t> loop_begin;  ///< of each face and after the last, into loops
     std::span<const std::int32_t> loops;       ///< corner numbers, face by face
     std::span<const HullEdge> edges;           ///< none in the plane
@@ -109,6 +112,7 @@ class NodeHulls {
     std::vector<Vector<Dim>> normals_;
     std::vector<double> offsets_;
     std::vector<char> inner_;
+    std::vector<char> cut_;
     std::vector<char> tight_;
     std::vector<char> round_;
     std::vector<std::int32_t> best_;

@@ -27,6 +27,38 @@ struct Axis {
     }
 };
 
+/// A piece's surface goes on beyond a cut: its corners there touch only along normals of about the
+/// surface that they lie on, by this cosine at least. Otherwise the next piece is what is touched.
+constexpr double along_surface = 0.95;
+/// Unless a piece is more than this share of its own height below the other's face: it is within.
+constexpr double sunk = 0.5;
+
+/// Whether a corner cannot touch along `normal`, outwards, since only cutting made it.
+template <int Dim>
+bool is_cut(const PosedHull<Dim>& hull, std::size_t corner, const Vector<Dim>& normal) {
+    if (hull.body.cut[corner] == 0) return false;
+    double along = -1;
+    for (std::size_t face = 0; face < hull.body.normals.size(); ++face) {
+        if (hull.body.inner[face] != 0) continue;
+        const auto loop = hull.body.loop(face);
+        if (std::ranges::find(loop, static_cast<std::int32_t>(corner)) != loop.end())
+            along = std::max(along, normal.dot(hull.normals[face]));
+    }
+    return along < along_surface;
+}
+
+/// How far a hull extends along a direction.
+template <int Dim>
+double height_along(const PosedHull<Dim>& hull, const Vector<Dim>& normal) {
+    double low = never;
+    double high = -never;
+    for (std::size_t i = 0; i < hull.body.corners.size(); ++i) {
+        low = std::min(low, normal.dot(hull.corners[i]));
+        high = std::max(high, normal.dot(hull.corners[i]));
+    }
+    return high - low;
+}
+
 /// The least overlap, and the latest.
 template <int Dim>
 struct Axes {
@@ -78,13 +110,14 @@ bool look(const PosedHull<Dim>& own, const PosedHull<Dim>& other, bool of_b,
     if (other.body.corners.empty()) return true;  // a half-space has no end along any face
     for (std::size_t face = 0; face < own.body.normals.size(); ++face) {
         const Vector<Dim>& normal = own.normals[face];
-        const Vector<Dim>& corner = other.corners[lowest(other, normal)];
-        const double depth = own.offsets[face] - normal.dot(corner);
+        const std::size_t corner = lowest(other, normal);
+        const double depth = own.offsets[face] - normal.dot(other.corners[corner]);
         if (depth < -slack) return false;
         Axis<Dim> axis;
         axis.face = face;
         axis.of_b = of_b;
-        axis.inner = own.body.inner[face] != 0;
+        axis.inner = own.body.inner[face] != 0 || (is_cut(other, corner, Vector<Dim>(-normal)) &&
+                                                   depth < sunk * height_along(other, normal));
         const double speed = (of_b ? 1 : -1) * normal.dot(motion.velocity_b - motion.velocity_a);
         consider(axis, depth, speed, motion.time_step, axes);
     }
@@ -110,9 +143,19 @@ bool look_at_edges(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const PairM
     const auto corner = [](const PosedHull<Dim>& hull, std::int32_t number) -> const Vector<Dim>& {
         return hull.corners[static_cast<std::size_t>(number)];
     };
-    const auto inner = [](const PosedHull<Dim>& hull, const HullEdge& edge) {
-        return hull.body.inner[static_cast<std::size_t>(edge.left)] != 0 &&
-               hull.body.inner[static_cast<std::size_t>(edge.right)] != 0;
+    // Like corners: see is_cut.
+    const auto inner = [](const PosedHull<Dim>& hull, const HullEdge& edge,
+                          const Vector<Dim>& outwards) {
+        const auto left = static_cast<std::size_t>(edge.left);
+        const auto right = static_cast<std::size_t>(edge.right);
+        const bool cut_left = hull.body.inner[left] != 0;
+        const bool cut_right = hull.body.inner[right] != 0;
+        if (cut_left && cut_right) return true;
+        if (hull.body.cut[static_cast<std::size_t>(edge.from)] == 0 ||
+            hull.body.cut[static_cast<std::size_t>(edge.to)] == 0)
+            return false;
+        return cut_left != cut_right &&
+               outwards.dot(hull.normals[cut_left ? right : left]) < along_surface;
     };
     for (const HullEdge& edge_a : a.body.edges) {
         const Vector<Dim>& n1 = a.normals[static_cast<std::size_t>(edge_a.left)];
@@ -141,7 +184,7 @@ bool look_at_edges(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const PairM
                 continue;
             }
             Axis<Dim> axis;
-            axis.inner = inner(a, edge_a) || inner(b, edge_b);
+            axis.inner = inner(a, edge_a, normal) || inner(b, edge_b, Vector<Dim>(-normal));
             axis.edge_a = &edge_a;
             axis.edge_b = &edge_b;
             axis.normal = normal;

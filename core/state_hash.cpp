@@ -8,6 +8,7 @@ namespace {
 template <int Dim>
 void add_hull(const HullView<Dim>& hull, BitHash& hash) {
     hash.add_all(hull.corners);
+    for (const char cut : hull.cut) hash.add(static_cast<std::int32_t>(cut));
     for (std::size_t face = 0; face < hull.normals.size(); ++face) {
         hash.add_all(hull.loop(face));
         hash.add(static_cast<std::int32_t>(hull.inner[face]));

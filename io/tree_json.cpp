@@ -64,6 +64,12 @@ void append(std::string& text, const lod::HullView<Dim>& hull, bool tight, bool 
     if (round) text += ", \"round\": true";
     text += ", \"inner\": ";
     append_list(text, faces, [&](std::size_t face) { text += std::to_string(face); });
+    std::vector<std::size_t> cut(hull.corners.size());
+    std::iota(cut.begin(), cut.end(), 0u);
+    std::erase_if(cut, [&](std::size_t corner) { return hull.cut[corner] == 0; });
+    if (!cut.empty()) text += ", \"cut\": ";
+    if (!cut.empty())
+        append_list(text, cut, [&](std::size_t corner) { text += std::to_string(corner); });
     text += '}';
 }
 
@@ -151,6 +157,19 @@ class Reader {
         return node;
     }
 
+    /// Which of `size` things a list names by their numbers.
+    std::vector<bool> chosen(const json& numbers, std::size_t size, const std::string& thing,
+                             const std::string& at) const {
+        std::vector<bool> chosen(size, false);
+        if (!numbers.is_array()) refuse(at, "not a list of " + thing + "s");
+        for (const json& number : numbers) {
+            const std::size_t place = count(number, at + "a " + thing + "'s number is ");
+            if (place >= size) refuse(at, thing + " " + std::to_string(place) + " does not exist");
+            chosen[place] = true;
+        }
+        return chosen;
+    }
+
     template <int Dim>
     lod::Hull<Dim> hull(const json& value, std::size_t place) const {
         const std::string at = "node " + std::to_string(place) + ": the hull: ";
@@ -176,15 +195,9 @@ class Reader {
                 loop.push_back(static_cast<std::int32_t>(corner));
             }
         }
-        hull.inner.assign(hull.faces.size(), false);
-        const json& inner = member(value, "inner", at);
-        if (!inner.is_array()) refuse(at, "the inner faces are not a list");
-        for (const json& number : inner) {
-            const std::size_t face = count(number, at + "an inner face's number is ");
-            if (face >= hull.faces.size())
-                refuse(at, "face " + std::to_string(face) + " does not exist");
-            hull.inner[face] = true;
-        }
+        hull.inner = chosen(member(value, "inner", at), hull.faces.size(), "face", at);
+        if (const auto cut = value.find("cut"); cut != value.end())
+            hull.cut = chosen(*cut, hull.corners.size(), "corner", at);
         if (const auto tight = value.find("tight"); tight != value.end())
             hull.tight = *tight == true;
         if (const auto round = value.find("round"); round != value.end())

@@ -147,7 +147,7 @@ using Shape = typename Shapes<Dim>::Shape;
 /// it and fails when it is another one): trees in the cache are of this version of the builders,
 /// compiled with these releases of the libraries that they compute with.
 inline constexpr std::string_view builders_version =
-    "8d3cb30cbaee628bffb571bbf8bb29bd4b668078e950b8699735fe80e8dd5756";
+    "8763afc5cd49d2f9cb3d5491c95e78dd7618942f3993a592c7627bd4dd04fbd8";
 
 /// The tree of a shape, from the cache where it was built before.
 template <int Dim>

@@ -42,7 +42,8 @@ View<Dim> view_of(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lo
 template <int Dim>
 Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const lod::Front& front,
                   lod::PointModel model, const View<Dim>& view) {
-    const std::vector<lod::Contact<Dim>> contacts = contacts_of(a.body, b.body, front, model);
+    const std::vector<lod::Contact<Dim>> contacts =
+        lod::contacts_of_front<Dim>(a.body, b.body, front, lod::ContactModel::centre_line, model);
     Panel panel = blank_panel<Dim>(view);
     panel.title = "Level " + std::to_string(front.level) + ": " +
                   count_text(static_cast<long long>(contacts.size()), "contact");
@@ -107,19 +108,6 @@ void add_plane(Marks& marks, const lod::Sphere<2>& a, const lod::Sphere<2>& b, c
 }  // namespace
 
 template <int Dim>
-std::vector<lod::Contact<Dim>> contacts_of(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
-                                           const lod::Front& front, lod::PointModel model) {
-    std::vector<lod::Contact<Dim>> contacts;
-    const lod::Vector<Dim> between = b.position - a.position;
-    for (const lod::NodePair& pair : front.pairs) {
-        const auto contact = lod::model_contact<Dim>(carried_node(a, pair.a),
-                                                     carried_node(b, pair.b), model, between);
-        if (contact) contacts.push_back(*contact);
-    }
-    return contacts;
-}
-
-template <int Dim>
 Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
                          const std::vector<lod::Front>& fronts, lod::PointModel model,
                          std::vector<int> levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
@@ -141,7 +129,9 @@ Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
         if (figure.panels.size() == 1)
             add_names(figure.panels[0], a, b, level == 0 ? Beside::roots : Beside::outlines);
         figure.alt += " " + figure.panels.back().title + ".";
-        most = std::max(most, contacts_of(a.body, b.body, front, model).size());
+        most = std::max(most, lod::contacts_of_front<Dim>(a.body, b.body, front,
+                                                          lod::ContactModel::centre_line, model)
+                                  .size());
     }
     figure.numbers = {
         {"node tests",
@@ -193,10 +183,6 @@ Figure contact_construction(const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
     return figure;
 }
 
-template std::vector<lod::Contact<2>> contacts_of<2>(const lod::Body<2>&, const lod::Body<2>&,
-                                                     const lod::Front&, lod::PointModel);
-template std::vector<lod::Contact<3>> contacts_of<3>(const lod::Body<3>&, const lod::Body<3>&,
-                                                     const lod::Front&, lod::PointModel);
 template Figure contacts_by_level<2>(const Actor<2>&, const Actor<2>&,
                                      const std::vector<lod::Front>&, lod::PointModel,
                                      std::vector<int>, const Sight<2>::Viewpoint&);

@@ -6,7 +6,8 @@
 namespace viz {
 
 /// One face contact as ever more sphere contacts (the paper's figure 3): one panel a level, with
-/// the nodes that intersect, the contact point of each pair and its normal.
+/// the nodes that intersect, the contact point of each pair and its normal, by the paper's model
+/// (lod::ContactModel::centre_line).
 /// `levels` empty: up to six, and none with more than 128 contacts.
 template <int Dim>
 [[nodiscard]] Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
@@ -14,13 +15,6 @@ template <int Dim>
                                        lod::PointModel model = lod::PointModel::radius_ratio,
                                        std::vector<int> levels = {},
                                        const typename Sight<Dim>::Viewpoint& viewpoint = {});
-
-/// The contacts of one level's front.
-template <int Dim>
-[[nodiscard]] std::vector<lod::Contact<Dim>> contacts_of(const lod::Body<Dim>& a,
-                                                         const lod::Body<Dim>& b,
-                                                         const lod::Front& front,
-                                                         lod::PointModel model);
 
 /// How the contact point and normal of two overlapping nodes are found (the paper's figure 4): the
 /// centre line, the point that divides it by the radii (eq. 5) and, beside it, the point on the

@@ -114,14 +114,17 @@ std::vector<Ring> projected_outline(const Surface& surface, const lod::Body<3>& 
     return rings;
 }
 
-Figure projected_collision(const Actor<3>& a, const Actor<3>& b, const lod::Front& front,
-                           lod::PointModel model) {
-    const std::vector<lod::Contact<3>> contacts = contacts_of(a.body, b.body, front, model);
+Figure projected_collision(const Actor<3>& a, const Actor<3>& b, const lod::FrameRecord<3>& record,
+                           const lod::PairRecord& pair) {
+    std::vector<lod::Contact<3>> contacts;
+    for (std::int32_t c = 0; c < pair.contact_count; ++c)
+        contacts.push_back(
+            record.impacts[static_cast<std::size_t>(pair.first_contact + c)].contact);
     const ProjectionPlane plane = projection_plane(contacts);
     const std::string name_a = shown_name<3>({a.look, b.look}, 0);
     const std::string name_b = shown_name<3>({a.look, b.look}, 1);
     Panel in_space = blank_panel<3>(SpaceView());
-    add_meeting_nodes<3>(in_space, a.body, b.body, 0, 1, front.pairs);
+    add_meeting_nodes<3>(in_space, a.body, b.body, 0, 1, record.nodes_of(pair.nodes));
 
     Panel panel;
     FlatView view;
@@ -145,9 +148,9 @@ Figure projected_collision(const Actor<3>& a, const Actor<3>& b, const lod::Fron
         "The collision in space, projected along an axis square to its mean normal: normals lie in "
         "the picture. Circles that overlap here may pass each other in depth.";
     const auto count = static_cast<long long>(contacts.size());
-    figure.numbers = {{"level", std::to_string(front.level)},
+    figure.numbers = {{"level", std::to_string(pair.level)},
                       {"contacts", number_text(static_cast<double>(count), 9)}};
-    figure.alt = name_a + " and " + name_b + " at level " + std::to_string(front.level) +
+    figure.alt = name_a + " and " + name_b + " at level " + std::to_string(pair.level) +
                  ", projected along an axis square to the mean contact normal: " +
                  count_text(static_cast<long long>(in_space.space->balls.size()), "circle") +
                  " stand for the spheres that intersect, with " + count_text(count, "contact") +

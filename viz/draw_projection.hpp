@@ -20,11 +20,11 @@ struct ProjectionPlane {
 
 /// The paper's two-dimensional projection of a collision in space: seen along an axis square to the
 /// normal, the spheres that intersect become circles, the bodies their outlines, and the normals
-/// lie in the picture. `front`: a level of lod::traverse_levels with at least one pair; otherwise
-/// throws lod::Error (input refused).
+/// lie in the picture. `pair`: one of the record's, of A and B, with at least one contact;
+/// otherwise throws lod::Error (input refused).
 [[nodiscard]] Figure projected_collision(const Actor<3>& a, const Actor<3>& b,
-                                         const lod::Front& front,
-                                         lod::PointModel model = lod::PointModel::radius_ratio);
+                                         const lod::FrameRecord<3>& record,
+                                         const lod::PairRecord& pair);
 
 /// The region that a surface covers in that projection, holes and all: bounded by its silhouette.
 [[nodiscard]] std::vector<Ring> projected_outline(const Surface& surface, const lod::Body<3>& body,

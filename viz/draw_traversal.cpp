@@ -115,10 +115,13 @@ TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
 
 template <int Dim>
 Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
-                 std::vector<int> levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
+                 std::vector<int> levels, const typename Sight<Dim>::Viewpoint& viewpoint,
+                 bool proved_apart) {
     if (levels.empty()) levels = montage_levels(static_cast<int>(fronts.size()));
     Figure figure;
-    figure.title = title(a, b, front_at(fronts, levels.back()));
+    figure.title = proved_apart ? names_of(a, b) + " do not collide: their " +
+                                      Sight<Dim>::ball_word + "s meet, what they hold does not"
+                                : title(a, b, front_at(fronts, levels.back()));
     figure.numbers = {{"node tests", number_text(static_cast<double>(fronts.back().tests), 9)}};
     figure.caption =
         "Bold: nodes that intersect, whose children are tested next. Thin grey: "
@@ -127,6 +130,9 @@ Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod
     const View<Dim> view = view_of(a, b, fronts, levels, viewpoint);
     for (const int level : levels)
         figure.panels.push_back(level_panel<Dim>(a, b, fronts, level, view));
+    if (proved_apart)
+        figure.panels.back().title =
+            "Level " + std::to_string(levels.back()) + ": " + verdict_words(lod::Verdict::apart);
     add_names(figure.panels[0], a, b, levels[0] == 0 ? Beside::roots : Beside::outlines);
     return figure;
 }
@@ -162,9 +168,9 @@ template TestedNodes tested_nodes<2>(const lod::Body<2>&, const lod::Body<2>&,
 template TestedNodes tested_nodes<3>(const lod::Body<3>&, const lod::Body<3>&,
                                      const std::vector<lod::Front>&, int);
 template Figure traversal<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
-                             std::vector<int>, const Sight<2>::Viewpoint&);
+                             std::vector<int>, const Sight<2>::Viewpoint&, bool);
 template Figure traversal<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,
-                             std::vector<int>, const Sight<3>::Viewpoint&);
+                             std::vector<int>, const Sight<3>::Viewpoint&, bool);
 template Figure traversal_level<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
                                    int, const Sight<2>::Viewpoint&);
 template Figure traversal_level<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,

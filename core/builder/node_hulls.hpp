@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -38,6 +39,42 @@ void mark_inner_faces(const Distance& shape, double margin, Hull<Dim>& hull) {
         hull.inner.push_back(shape.signed_distance(hull.middle(face)) < -margin);
     }
 }
+
+/// Marks the corners at inner faces where the shape's surface goes on beyond the cut: at a step of
+/// `reach` [m] along an outer face, out of the inner one, it is still near.
+template <int Dim, DistanceFrom<Dim> Distance>
+void mark_cut_corners(const Distance& shape, double reach, Hull<Dim>& hull) {
+    constexpr double least_turn = 0.3;  // of the surface, as a sine: there it ends in a true corner
+    const auto has = [](const std::vector<std::int32_t>& face, std::size_t corner) {
+        return std::ranges::find(face, static_cast<std::int32_t>(corner)) != face.end();
+    };
+    const auto normal = [&](const std::vector<std::int32_t>& face) {
+        std::vector<Vector<Dim>> facet;
+        for (const std::int32_t corner : face)
+            facet.push_back(hull.corners[static_cast<std::size_t>(corner)]);
+        return Vector<Dim>(Space<Dim>::area_vector(facet).normalized());
+    };
+    hull.cut.assign(hull.corners.size(), false);
+    for (std::size_t inner = 0; inner < hull.faces.size(); ++inner)
+        for (std::size_t outer = 0; outer < hull.faces.size() && hull.inner[inner]; ++outer) {
+            if (hull.inner[outer]) continue;
+            const Vector<Dim> m = normal(hull.faces[outer]);
+            const Vector<Dim> q = normal(hull.faces[inner]);
+            const Vector<Dim> along = q - q.dot(m) * m;
+            if (along.norm() < 1e-6) continue;
+            const Vector<Dim> step = reach * along.normalized();
+            for (std::size_t corner = 0; corner < hull.corners.size(); ++corner) {
+                if (hull.cut[corner] || !has(hull.faces[inner], corner) ||
+                    !has(hull.faces[outer], corner))
+                    continue;
+                const double beyond = shape.signed_distance(hull.corners[corner] + step);
+                hull.cut[corner] = beyond < least_turn * reach;
+            }
+        }
+}
+
+/// A step that is small beside what is cut, as a share of the root ball's radius.
+inline constexpr double cut_share = 0.01;
 
 /// A hull that stands out of the shape by no more than this share of the root ball's radius is
 /// taken for the piece itself.
@@ -87,6 +124,7 @@ void give_hulls(SphereTree<Dim>& tree, const Piece& whole, const Distance& shape
         const HullHints<Dim> hints = piece.hull_hints();
         hull = fit_hull<Dim>(piece.vertices(), hints.corners, hints.normals, margin);
         mark_inner_faces<Dim>(shape, margin, hull);
+        mark_cut_corners<Dim>(shape, cut_share * tree.radius[0], hull);
         const double out = lid_height<Dim>(shape, hull);
         hull.tight = out <= tight_share * tree.radius[0];
         hull.round = protrusion_bound<Dim>(shape, tree.sphere(node)) < out;

@@ -151,6 +151,8 @@ TEST_CASE("a tree's hulls come back to the last bit", "[tree_json]") {
             lod::Hull<3> hull = lod::fit_hull<3>(points, points, {}, 1e-9);
             hull.inner.assign(hull.faces.size(), false);
             hull.inner[0] = random.below(2) == 0;
+            hull.cut.assign(hull.corners.size(), false);
+            hull.cut[1] = random.below(2) == 0;
             hull.tight = random.below(4) == 0;
             covered[at] = hull.tight;
             tree.hulls.add(hull);
@@ -184,6 +186,8 @@ TEST_CASE("a hull that is none is refused by the node that has it", "[tree_json]
     refused("[2, 0]]", "[2]]", "node 0: the hull: a face has too few corners");
     refused("[[0, 0], ", "[", "node 0: the hull: it encloses nothing");
     refused("\"inner\": []", "\"inner\": [7]", "node 0: the hull: face 7 does not exist");
+    refused("\"inner\": []", "\"inner\": [], \"cut\": [3]",
+            "node 0: the hull: corner 3 does not exist");
     refused("\"tight\": true, ", "", "node 1: the key \"hull\" is missing");
     refused("\"entry_level\": 0", "\"entry_level\": 2", "the entry level is 2");
 }

@@ -42,7 +42,7 @@ TEST_CASE("a hull that is cut by a hair is not certified", "[hulls]") {
     const PolygonPiece whole(shape.polygon);
     lod::SphereTree<2> tree = tree_of("star:5");
     const lod::HullView<2> root = tree.hulls.of(0);
-    lod::Hull<2> shrunk{{root.corners.begin(), root.corners.end()}, {}, {}, false};
+    lod::Hull<2> shrunk{{root.corners.begin(), root.corners.end()}, {}, {}, {}, false};
     for (std::size_t face = 0; face < root.normals.size(); ++face)
         shrunk.faces.push_back({root.loop(face).begin(), root.loop(face).end()});
     lod::NodeHulls<2> hulls;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lodlab/core/finest.hpp"
 #include "lodlab/core/frame.hpp"
 #include "lodlab/lod2d/box2d_reference.hpp"
 #include "lodlab/lod2d/overlap.hpp"
@@ -104,4 +105,25 @@ TEST_CASE("bat and plane repel across a gap that each level bounds, ever nearer 
         UNSCOPED_INFO("velocity error of the bat " << error << " m/s");
     }
     CHECK(early_before * closing < 0.02);
+}
+
+TEST_CASE("the letters touch along one normal at every level, cuts or not") {
+    // Round strokes whose pieces end in cuts: where a serif meets two pieces, both say the same.
+    const Setup<2> setup = set_up<2>(load_scene(LODLAB_SOURCE_DIR "/scenes/letters.toml"));
+    for (int level = 0; level < 5; ++level) {
+        const Impact impact = first_impact(setup.bodies, level);
+        REQUIRE(impact.time > 0);
+        lod::FrameSettings settings;
+        settings.deepest_level = level;
+        settings.time_step = time_step;
+        lod::FrameStorage<2> storage;
+        lod::Budget budget = lod::Budget::unlimited();
+        const auto& record = lod::detect<2>(impact.before, settings, budget, storage);
+        const auto exact = lod::exact_contact(impact.before[0], impact.before[1], time_step, 1e-9);
+        REQUIRE(exact.contacts.size() == 1);
+        for (const auto& one : record.impacts) {
+            INFO("level " << level);
+            CHECK(one.contact.normal.dot(exact.contacts[0].normal) > 0.99);
+        }
+    }
 }

@@ -116,7 +116,8 @@ TEST_CASE("a trace is of one geometry: hulls and true shapes count") {
     bodies[0].tree = tree;
     std::vector<std::uint64_t> all{before};
     for (int node = 0; node < tree->size(); ++node)
-        tree->hulls.add({{{-1, -1}, {1, -1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 0}}, {}, false, false});
+        tree->hulls.add(
+            {{{-1, -1}, {1, -1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 0}}, {}, {}, false, false});
     tree->hulls.find_best(tree->parent);
     all.push_back(scenes::fingerprint<2>(bodies));
     ++tree->hulls.entry_level;

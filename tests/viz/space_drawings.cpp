@@ -105,7 +105,8 @@ TEST_CASE("contacts of two cubes stand where they touch on the panel", "[space][
     const Actor<3> b = cube(1, 1);
     const auto fronts = lod::traverse_levels(a.body, b.body);
     const Figure figure = contacts_by_level(a, b, fronts);
-    const auto contacts = contacts_of(a.body, b.body, fronts[0], lod::PointModel::radius_ratio);
+    const auto contacts =
+        lod::contacts_of_front<3>(a.body, b.body, fronts[0], lod::ContactModel::centre_line);
     REQUIRE(contacts.size() == 1);
     CHECK(contacts[0].point.isApprox(Vector3(0.5, 0, 0)));
     const Dot* dot = first_of<Dot>(figure.panels[0], Role::contact);
@@ -183,13 +184,18 @@ TEST_CASE("a collision is projected so that its normal lies in the picture", "[s
     const Actor<3> a = cube(0, 1);
     Actor<3> b = cube(0, 1);
     b.body.position = {0.6, 0, 0.8};  // 1 m away, aslant
-    const auto fronts = lod::traverse_levels(a.body, b.body);
-    const auto contacts = contacts_of(a.body, b.body, fronts[0], lod::PointModel::radius_ratio);
-    const ProjectionPlane plane = projection_plane(contacts);
+    lod::FrameStorage<3> storage;
+    lod::FrameSettings settings;
+    settings.contact_model = lod::ContactModel::centre_line;
+    settings.deepest_level = 0;
+    lod::Budget budget = lod::Budget::unlimited();
+    const std::vector<lod::Body<3>> bodies{a.body, b.body};
+    const lod::FrameRecord<3>& record = lod::detect<3>(bodies, settings, budget, storage);
+    const ProjectionPlane plane = projection_plane(contacts_of(record));
     CHECK(plane.along.isApprox(Vector3(0.6, 0, 0.8)));
     CHECK(plane.up.isApprox(Vector3::UnitY()));
 
-    const Figure figure = projected_collision(a, b, fronts[0]);
+    const Figure figure = projected_collision(a, b, record, record.pairs[0]);
     CHECK_FALSE(figure.panels[0].space);
     std::vector<Disc> discs;
     for (const Mark& mark : figure.panels[0].marks)
@@ -203,8 +209,7 @@ TEST_CASE("a collision is projected so that its normal lies in the picture", "[s
     REQUIRE(normal);
     CHECK(normal->tip.y == Approx(normal->tail.y).margin(1e-12));
     CHECK_THAT(figure.alt, lodtest::contains("2 circles"));
-    lod::Front none;
-    CHECK_THROWS_AS(projected_collision(a, b, none), lod::Error);
+    CHECK_THROWS_AS(projected_collision(a, b, record, {}), lod::Error);
 }
 
 TEST_CASE("the outline of a projected cube is the hexagon or square that it shows",
