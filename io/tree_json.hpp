@@ -11,15 +11,21 @@ namespace io {
 /// A tree as JSON text, without loss: every number is the shortest that reads back to the same
 /// bits.
 ///
-///     {"format": "lodlab tree", "version": 1, "dim": 2, "nodes": 5, "levels": [1, 4],
-///      "tree": [
-///        {"centre": [0, 0], "radius": 1, "normal": [0, 0], "children": [1, 2, 3, 4]},
+///     {"format": "lodlab tree", "version": 2, "dim": 2, "nodes": 5, "levels": [1, 4],
+///      "entry_level": 0, "tree": [
+///        {"centre": [0, 0], "radius": 1, "normal": [0, 0], "children": [1, 2, 3, 4],
+///         "hull": {"corners": [[-1, -1], ...], "faces": [[0, 1], ...], "inner": [2], "cut": [4]}},
 ///        {"centre": [0.5, 0.5], "radius": 0.5, "normal": [0.6, 0.6], "children": []},
 ///        ...]}
 ///
 /// Nodes stand level by level, the root first, a node's children side by side; a child is named by
 /// its place in the list, from 0. Metres, body frame; the normal is the mean outward unit normal of
 /// the surface that a node stands for. "nodes" and "levels" (nodes of each level) are checked.
+///
+/// A tree with hulls (core/hull.hpp) has an "entry_level", and every node a "hull" but those below
+/// a "tight" one: its faces by their corners' places; "inner" names the faces within the shape,
+/// "cut" the corners that only a cut made (left out where there are none), "tight" and "round" are
+/// true where they stand.
 template <int Dim>
 [[nodiscard]] std::string tree_to_json(const lod::SphereTree<Dim>& tree);
 
