@@ -17,7 +17,9 @@ struct Start {
     std::function<void()> in_child;     ///< just before it starts: limits, another user
     int signal = 0;                     ///< sent once the program says that it has begun ...
     std::filesystem::path when_exists;  ///< ... or, where set, once a file begins with this path
-    std::vector<std::string> environment{"PATH=/usr/bin:/bin", "HOME=/nonexistent"};
+    /// Trees of space take seconds to build, so tests share those that one of them built.
+    std::vector<std::string> environment{"PATH=/usr/bin:/bin", "HOME=/nonexistent",
+                                         "XDG_CACHE_HOME=" LODLAB_TEST_CACHE};
 };
 
 /// Runs lodlab with these arguments and waits for its end.

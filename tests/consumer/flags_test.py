@@ -5,8 +5,7 @@ print and write the same bytes as with no flags at all. What must not compile or
 Usage: flags_test.py --prefix DIR --libdir lib --sources DIR --compilers g++ [clang++ ...]
                      [--base FLAGS] [--all]
 --base are flags that the library itself needs (a sanitizer's); --all tries every flag with every
-standard and sanitizer, which takes some minutes; without it a choice is tried, and
-beside a sanitizer only its first.
+standard and sanitizer, which takes some minutes; without it a choice is tried.
 """
 
 import argparse
@@ -129,7 +128,7 @@ def main():
     arguments = parser.parse_args()
     consumer = Consumer(arguments)
 
-    flag_sets = FEW[:1] if arguments.base else FEW
+    flag_sets = FEW
     if arguments.all:
         flag_sets = [flags + ["-O2", standard, *sanitizer] for flags in ALL
                      for standard in ("-std=c++20", "-std=c++2b")

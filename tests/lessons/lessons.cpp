@@ -83,6 +83,7 @@ TEST_CASE("running a lesson twice gives the same texts and numbers", "[lessons]"
 TEST_CASE("a number's words agree with its value", "[lessons]") {
     const std::regex leading("^[−-]?[0-9.\u202f]+");
     for (const Entry& entry : list()) {
+        if (lodtest::sanitized && entry.number > 4) break;  // another test runs them there
         const Lesson lesson = run(entry.number);
         for (const auto& [name, number] : lesson.numbers) {
             std::string words;

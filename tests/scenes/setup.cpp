@@ -66,6 +66,8 @@ dim = 3
 shape = "half_space"
 [[body]]
 shape = "box:1,1,1"
+builder = "octree"
+depth = 1
 position = [200, 0.75, -300]
 )");
     CHECK(setup.bodies[0].tree->half_space == lod::Vector<3>(0, 1, 0));
