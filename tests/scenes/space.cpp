@@ -156,7 +156,7 @@ TEST_CASE("a box that spins about its middle axis turns over and keeps its energ
     CHECK(run.energy_end == Approx(run.energy_start).epsilon(1e-6));
 }
 
-TEST_CASE("a knot and a ring collide; coarse levels see it earlier", "[space]") {
+TEST_CASE("a knot and a ring collide, and coarse levels see it earlier", "[space]") {
     Scene scene = shipped("knot_meets_ring");
     const Setup<3> setup = set_up<3>(scene);
     CHECK(setup.warnings.empty());

@@ -69,6 +69,7 @@ FEWEST_TOKENS = 30  # shorter bodies are alike by chance
 MOST_ALIKE = 0.75  # of the tokens of two bodies
 
 MOST_FILE_LINES = 400
+CUT_NAME = re.compile(r'TEST_CASE(_SIG)?\("[^"]*;')
 MOST_FUNCTION_LINES = 60
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<[^>]+>|"[^"]+")')
@@ -198,6 +199,9 @@ def check_code(name, text, breaches):
         for number, line in enumerate(code.splitlines(), 1):
             if ROUNDED_FREELY.search(line):
                 breaches.append(f"{name}:{number}: a function of the C library; take core/trigonometry.hpp's")
+    for number, line in enumerate(text.splitlines(), 1):
+        if CUT_NAME.search(line):
+            breaches.append(f"{name}:{number}: a test's name with a semicolon; ctest cuts it there and runs nothing")
     lines = text.count("\n")
     if lines > MOST_FILE_LINES:
         breaches.append(f"{name}:1: {lines} lines; at most {MOST_FILE_LINES}")

@@ -50,6 +50,7 @@ BREACHES = {
     "a library crosses the border to Eigen": ("lod3d/a.cpp", '#include "core/eigen.hpp"\n'),
     "Cairo in a header": ("viz/a.hpp", "#include <cairo/cairo.h>\n"),
     "JSON in a header": ("lod2d/a.hpp", "#include <nlohmann/json.hpp>\n"),
+    "a test that ctest would not find": ("tests/a.cpp", 'TEST_CASE("one; two") {}\n'),
     "a long file": ("core/a.cpp", "int i;\n" * 401),
     "a long function": ("core/a.cpp", "int f() {\n" + "    g();\n" * 59 + "}\n"),
     "a long method": ("core/a.cpp", "class A {\n  public:\n    int f(int a,\n   int b) const {\n" + "    g();\n" * 59 + "}\n};\n"),
