@@ -63,7 +63,10 @@ Mesh blocks(const std::vector<double>& xs, const std::vector<double>& ys,
         ++corner[2][u];
         ++corner[2][v];
         ++corner[side ? 3 : 1][v];
-        add_quad(mesh, vertex(corner[0]), vertex(corner[1]), vertex(corner[2]), vertex(corner[3]));
+        // One after the other: the order of arguments is the compiler's.
+        std::array<std::int32_t, 4> ends{};
+        for (std::size_t k = 0; k < 4; ++k) ends[k] = vertex(corner[k]);
+        add_quad(mesh, ends[0], ends[1], ends[2], ends[3]);
     };
     for (int x = 0; x + 1 < static_cast<int>(xs.size()); ++x)
         for (int y = 0; y + 1 < static_cast<int>(ys.size()); ++y)
