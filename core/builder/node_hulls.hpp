@@ -48,18 +48,20 @@ void mark_cut_corners(const Distance& shape, double reach, Hull<Dim>& hull) {
     const auto has = [](const std::vector<std::int32_t>& face, std::size_t corner) {
         return std::ranges::find(face, static_cast<std::int32_t>(corner)) != face.end();
     };
-    const auto normal = [&](const std::vector<std::int32_t>& face) {
-        std::vector<Vector<Dim>> facet;
+    std::vector<Vector<Dim>> normals;
+    std::vector<Vector<Dim>> facet;
+    for (const std::vector<std::int32_t>& face : hull.faces) {
+        facet.clear();
         for (const std::int32_t corner : face)
             facet.push_back(hull.corners[static_cast<std::size_t>(corner)]);
-        return Vector<Dim>(Space<Dim>::area_vector(facet).normalized());
-    };
+        normals.push_back(Space<Dim>::area_vector(facet).normalized());
+    }
     hull.cut.assign(hull.corners.size(), false);
     for (std::size_t inner = 0; inner < hull.faces.size(); ++inner)
         for (std::size_t outer = 0; outer < hull.faces.size() && hull.inner[inner]; ++outer) {
             if (hull.inner[outer]) continue;
-            const Vector<Dim> m = normal(hull.faces[outer]);
-            const Vector<Dim> q = normal(hull.faces[inner]);
+            const Vector<Dim>& m = normals[outer];
+            const Vector<Dim>& q = normals[inner];
             const Vector<Dim> along = q - q.dot(m) * m;
             if (along.norm() < 1e-6) continue;
             const Vector<Dim> step = reach * along.normalized();
