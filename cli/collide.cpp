@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "cli/check_outputs.hpp"
 #include "cli/command.hpp"
 #include "cli/dimension.hpp"
 #include "cli/instant.hpp"

@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "cli/check_outputs.hpp"
 #include "cli/command.hpp"
 #include "cli/compare_pictures.hpp"
 #include "cli/output.hpp"

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "cli/check_outputs.hpp"
 #include "cli/command.hpp"
 #include "cli/dimension.hpp"
 #include "cli/output.hpp"
@@ -12,6 +13,7 @@
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
 #include "lodlab/measure/curves.hpp"
+#include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/spelling.hpp"
 #include "lodlab/viz/draw_plot.hpp"
 
@@ -35,39 +37,11 @@ constexpr Usual usual_in_space{"box,L,ring", 8, 3};
     throw lod::Error(lod::ErrorKind::usage, line);
 }
 
-std::vector<std::string> parted(const std::string& text, char by) {
-    std::vector<std::string> parts(1);
-    for (const char c : text) {
-        if (c == by)
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
-
-/// "box:2,1,L" is box:2,1 and L: a number goes on with the shape before it.
-std::vector<std::string> shapes_in(const std::string& text) {
-    std::vector<std::string> shapes;
-    for (const std::string& part : parted(text, ',')) {
-        const bool number =
-            !part.empty() && (std::isdigit(static_cast<unsigned char>(part[0])) != 0 ||
-                              part[0] == '-' || part[0] == '.');
-        const bool goes_on =
-            number && !shapes.empty() && shapes.back().find(':') != std::string::npos;
-        if (goes_on)
-            shapes.back().append(",").append(part);
-        else if (!part.empty())
-            shapes.push_back(part);
-    }
-    return shapes;
-}
-
 template <class Choice, std::size_t n>
 std::vector<Choice> choices_in(const std::string& text, const char* what,
                                const std::array<std::string_view, n>& names) {
     std::vector<Choice> choices;
-    for (const std::string& part : parted(text, ',')) {
+    for (const std::string& part : scenes::parted(text, ',')) {
         const auto found = std::find(names.begin(), names.end(), part);
         if (found == names.end())
             misused(std::string(what) + " must be of " + scenes::listed(names) + ", not " + part +
@@ -79,7 +53,7 @@ std::vector<Choice> choices_in(const std::string& text, const char* what,
 
 measure::Share share_in(const std::string& text) {
     measure::Share share;
-    const auto parts = parted(text, '/');
+    const auto parts = scenes::parted(text, '/');
     const auto number = [](const std::string& digits, int& value) {
         const auto [end, error] =
             std::from_chars(digits.data(), digits.data() + digits.size(), value);
@@ -94,7 +68,7 @@ measure::Plan plan_of(const Options& options) {
     measure::Plan plan;
     plan.dim = options.dim.value_or(2);
     const Usual& usual = plan.dim == 3 ? usual_in_space : usual_in_plane;
-    plan.shapes = shapes_in(options.shapes.empty() ? usual.shapes : options.shapes);
+    plan.shapes = scenes::shapes_in(options.shapes.empty() ? usual.shapes : options.shapes);
     plan.branching = options.branching.value_or(usual.branching);
     plan.depth = options.depth.value_or(usual.depth);
     plan.impacts = options.impacts.value_or(usual_impacts);
@@ -114,7 +88,7 @@ const lod::Clock& steady_clock() {
 }
 
 template <int Dim>
-measure::Outcomes measured(measure::Plan plan, const Options& options) {
+measure::Outcomes measured(measure::Plan plan, measure::Share part, const Options& options) {
     scenes::TreeChoice tree;
     tree.builder = options.builder;
     tree.branching = plan.branching;
@@ -123,17 +97,22 @@ measure::Outcomes measured(measure::Plan plan, const Options& options) {
                                            : options.builder;
     scenes::ShapeChoice choice;
     choice.raise_limits = options.raise_limits;
+    static_cast<void>(scenes::Shapes<Dim>::settings(tree));  // throws for an unknown builder
+    std::vector<scenes::Shape<Dim>> shapes;  // all of them before the first tree is built
+    for (const std::string& name : plan.shapes)
+        shapes.push_back(scenes::Shapes<Dim>::named(name, choice));
     std::vector<measure::Kind<Dim>> kinds;
     {
         ProgressBar bar("Building the trees");
-        for (const std::string& shape : plan.shapes) {
-            kinds.push_back(measure::make_kind<Dim>(shape, choice, tree, cache_of(options)));
-            bar.show(static_cast<double>(kinds.size()) / static_cast<double>(plan.shapes.size()));
+        for (std::size_t i = 0; i < shapes.size(); ++i) {
+            kinds.push_back(
+                measure::make_kind<Dim>(plan.shapes[i], shapes[i], tree, cache_of(options)));
+            bar.show(static_cast<double>(kinds.size()) / static_cast<double>(shapes.size()));
         }
     }
     ProgressBar bar("Measuring impacts");
     measure::DegradeOptions how;
-    how.share = share_in(options.share);
+    how.share = part;
     how.clock = &steady_clock();
     how.progress = [&](double share) { bar.show(share); };
     return measure::degrade<Dim>(plan, kinds, how);
@@ -147,12 +126,11 @@ measure::Outcomes outcomes_for(const Options& options) {
         return measure::merged(std::move(shares));
     }
     const measure::Plan plan = plan_of(options);
+    const measure::Share share = share_in(options.share);
+    measure::check_plan(plan, share);
     measure::Outcomes outcomes;
     in_dimension(plan.dim,
-                 [&](auto dimension) { outcomes = measured<dimension()>(plan, options); });
-    if (outcomes.impacts.empty())
-        misused("share " + options.share + " of " + std::to_string(plan.impacts) +
-                " impacts holds none; cut them into fewer shares");
+                 [&](auto dimension) { outcomes = measured<dimension()>(plan, share, options); });
     return outcomes;
 }
 

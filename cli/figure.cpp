@@ -1,6 +1,7 @@
 #include <array>
 #include <memory>
 
+#include "cli/check_outputs.hpp"
 #include "cli/command.hpp"
 #include "cli/instant.hpp"
 #include "cli/output.hpp"
@@ -202,12 +203,12 @@ void run_figure(const Options& options) {
             throw lod::Error(lod::ErrorKind::usage,
                              "only figure 9 can be drawn with another contact model; drop "
                              "--contact-model");
-        check_outputs(options, {.video = figure.has_video});
         Options named = options;
         if (named.out.empty()) {
             named.out = {"figure-" + std::to_string(figure.number) + ".png"};
             remark("writing " + named.out.front() + "; name other files by --out");
         }
+        check_outputs(named, {.video = figure.has_video});
         return write_outputs(named, draw(named));
     }
     throw lod::Error(lod::ErrorKind::usage, "there is no figure " +

@@ -1,5 +1,6 @@
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 
 #include "cli/output.hpp"
@@ -12,11 +13,45 @@ void stop(int signal) {
     lod::stop_signal.store(signal, std::memory_order_relaxed);
 }
 
+/// Whether a signal ends a process that does nothing about it, and may: not those that say that the
+/// program itself is broken.
+bool ends(int signal) {
+    switch (signal) {
+        case SIGKILL:
+        case SIGSTOP:  // nobody hears these
+        case SIGSEGV:
+        case SIGBUS:
+        case SIGFPE:
+        case SIGILL:
+        case SIGABRT:
+        case SIGTRAP:
+        case SIGSYS:
+        case SIGCHLD:
+        case SIGCONT:
+        case SIGTSTP:
+        case SIGTTIN:
+        case SIGTTOU:
+        case SIGURG:
+        case SIGWINCH:
+            return false;
+        default:
+            return true;
+    }
+}
+
+/// A signal that ends the program is noticed by check_interrupted(), so that what is half-written
+/// goes.
 void listen_to_signals() {
     struct sigaction action {};
     action.sa_handler = stop;
     sigemptyset(&action.sa_mask);
-    for (int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+    for (int signal = 1; signal <= SIGRTMAX; ++signal) {
+        struct sigaction before {};
+        if (!ends(signal) || sigaction(signal, nullptr, &before) != 0) continue;
+        const bool under_nohup = signal == SIGHUP && before.sa_handler == SIG_IGN;
+        if (!under_nohup) sigaction(signal, &action, nullptr);
+    }
+    std::signal(SIGXFSZ, SIG_IGN);  // the write itself fails, and says why
 }
 
 int failed(const std::string& line, int code) {
@@ -36,6 +71,7 @@ int main(int argc, char** argv) {
             cli::print(parsed.text);
         return 0;
     } catch (const lod::Error& error) {
+        if (lod::stop_signal == SIGPIPE) return 128 + SIGPIPE;  // nobody reads on
         return failed(error.what(), static_cast<int>(error.kind()));
     } catch (const lod::Interrupted& interrupted) {
         return failed("stopped by a signal; no file was left half-written",
@@ -43,6 +79,10 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return failed("out of memory; use a smaller scene or a shallower tree",
                       static_cast<int>(lod::ErrorKind::limit_exceeded));
+    } catch (const std::filesystem::filesystem_error& error) {
+        return failed("cannot use " + error.path1().string() + ": " + error.code().message() +
+                          "; check the name",
+                      static_cast<int>(lod::ErrorKind::input_refused));
     } catch (const std::exception& error) {
         return failed(std::string("internal error: ") + error.what() +
                           "; please report it with the command line",

@@ -168,7 +168,7 @@ Parsed parse(int argc, const char* const* argv) {
     app.set_version_flag("--version", "lodlab " LODLAB_VERSION);
     app.footer(
         "Exit codes: 0 done, 2 usage, 3 input refused, 4 output failed, 5 limit exceeded,\n"
-        "6 something not installed, 130 or 143 stopped by a signal.\n"
+        "6 something not installed, 128 + N stopped by signal N.\n"
         "Example: lodlab figure 9 --out figure-9.png");
     for (const Command& command : commands()) {
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));

@@ -117,27 +117,6 @@ template viz::Figure framed<3>(viz::Figure, const scenes::Scene&);
 template viz::Animation framed<2>(viz::Animation, const scenes::Scene&);
 template viz::Animation framed<3>(viz::Animation, const scenes::Scene&);
 
-void check_outputs(const Options& options, const Formats& formats) {
-    std::vector<std::string> endings{"png", "svg", "pdf", "json"};
-    if (formats.video) endings.insert(endings.end(), {"mp4", "webm", "gif"});
-    for (const std::string& ending : formats.exports)
-        if (ending != ".json") endings.push_back(ending.substr(1));
-    const std::vector<std::string_view> known(endings.begin(), endings.end());
-    for (const std::string& path : options.out) {
-        const bool is_export =
-            std::any_of(formats.exports.begin(), formats.exports.end(),
-                        [&](const std::string& ending) { return path.ends_with(ending); });
-        const bool is_picture =
-            viz::is_figure_path(path) || (formats.video && viz::is_video_path(path));
-        if (!is_picture && !is_export)
-            throw lod::Error(lod::ErrorKind::usage,
-                             "cannot write " + path + ": lodlab does this as " +
-                                 scenes::listed(known) + "; give it one of these endings");
-        const lod::OutputFile probe(path);  // throws; leaves nothing
-    }
-    if (!options.trace.empty()) const lod::OutputFile probe(options.trace);
-}
-
 void write_outputs(const Options& options, const Drawing& drawing) {
     viz::WriteOptions write;
     write.theme = theme_of(options);

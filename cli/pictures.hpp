@@ -54,16 +54,6 @@ struct Drawing {
     std::vector<Export> exports;
 };
 
-/// What a command can write.
-struct Formats {
-    bool video = false;
-    std::vector<std::string> exports{};  ///< endings, such as ".sph"
-};
-
-/// Before any work: throws lod::Error, usage for an ending that the command does not write, output
-/// failed for a place that cannot be written.
-void check_outputs(const Options& options, const Formats& formats);
-
 /// Writes every --out, with a progress bar for videos.
 void write_outputs(const Options& options, const Drawing& drawing);
 

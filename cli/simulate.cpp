@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "cli/check_outputs.hpp"
 #include "cli/command.hpp"
 #include "cli/dimension.hpp"
 #include "cli/numbers.hpp"

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <sys/stat.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
@@ -10,9 +11,13 @@
 #include <fstream>
 #include <string>
 #include <system_error>
+#include <vector>
 #if defined(_WIN32)
 #include <io.h>
-#include <sys/stat.h>
+#else
+#include <sys/file.h>
+
+#include <csignal>
 #endif
 
 #include "lodlab/core/error.hpp"
@@ -20,7 +25,12 @@
 namespace lod {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr int most_names = 100;
+constexpr int most_links = 40;             // that stand for one file, as the system has it
+constexpr std::size_t longest_name = 255;  // of a file, in bytes, as the system has it
+constexpr std::string_view part_mark = ".part";
 
 std::string mend(int error_number) {
     switch (error_number) {
@@ -33,6 +43,12 @@ std::string mend(int error_number) {
         case EPERM:
         case EROFS:
             return "choose a folder that you may write to";
+        case ENAMETOOLONG:
+            return "choose a shorter name";
+        case ELOOP:
+            return "remove that link, or choose another name";
+        case EFBIG:
+            return "raise the system's limit on the size of files (ulimit -f)";
         case ENOENT:
         case ENOTDIR:
             return "make the folder first, or choose another";
@@ -42,7 +58,7 @@ std::string mend(int error_number) {
 }
 
 #if defined(_WIN32)
-int open_new(const std::filesystem::path& path) {
+int open_new(const fs::path& path) {
     return ::_wopen(path.c_str(), _O_RDWR | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT,
                     _S_IREAD | _S_IWRITE);
 }
@@ -57,8 +73,14 @@ std::ptrdiff_t write_at(int descriptor, const char* bytes, std::size_t count,
 int flush(int descriptor) {
     return ::_commit(descriptor);
 }
+
+void hold(int) {}
+bool is_held(const fs::path&) {
+    return true;  // nobody knows
+}
+void keep_mode(const fs::path&, int) {}
 #else
-int open_new(const std::filesystem::path& path) {
+int open_new(const fs::path& path) {
     return ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
 }
 
@@ -70,25 +92,122 @@ std::ptrdiff_t write_at(int descriptor, const char* bytes, std::size_t count,
 int flush(int descriptor) {
     return ::fsync(descriptor);
 }
+
+/// Until the descriptor is closed, at the latest by the end of the process.
+void hold(int descriptor) {
+    ::flock(descriptor, LOCK_EX | LOCK_NB);
+}
+
+/// Whether some process, perhaps of another machine, still writes this part.
+bool is_held(const fs::path& part) {
+    const int descriptor = ::open(part.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) return true;
+    const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
+    ::close(descriptor);
+    return held;
+}
+
+/// Gives the new file who may do what with the old one, as far as the system lets us.
+void keep_mode(const fs::path& old, int descriptor) {
+    struct stat status {};
+    if (::stat(old.c_str(), &status) != 0) return;
+    static_cast<void>(::fchown(descriptor, status.st_uid, status.st_gid) == 0);
+    static_cast<void>(::fchmod(descriptor, status.st_mode & 07777));
+}
 #endif
 
-void remove_quietly(const std::filesystem::path& path) {
+void remove_quietly(const fs::path& path) {
     std::error_code ignored;
-    std::filesystem::remove(path, ignored);
+    fs::remove(path, ignored);
+}
+
+/// The number of the process that made a part, -1 where the name is not one of a part.
+long process_of(const std::string& name) {
+    const std::size_t mark = name.rfind(part_mark);
+    if (mark == std::string::npos) return -1;
+    const std::string rest = name.substr(mark + part_mark.size());
+    const std::size_t dash = rest.find('-');
+    const auto digits = [](std::string_view text) {
+        return !text.empty() && text.size() < 10 &&
+               text.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    if (dash == std::string::npos || !digits(std::string_view(rest).substr(0, dash)) ||
+        !digits(std::string_view(rest).substr(dash + 1)))
+        return -1;
+    return std::stol(rest.substr(0, dash));
+}
+
+bool is_alive(long process) {
+#if defined(_WIN32)
+    return process >= 0;
+#else
+    return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
+#endif
+}
+
+/// Removes the parts that processes left in a folder which ended without a chance to do so.
+void sweep(const fs::path& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> old;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const long process = process_of(entry.path().filename().string());
+        if (process > 0 && !is_alive(process) && entry.is_regular_file(ignored) &&
+            !entry.is_symlink(ignored))
+            old.push_back(entry.path());
+    }
+    for (const fs::path& part : old)
+        if (!is_held(part)) remove_quietly(part);
+}
+
+/// Where links from `path` lead, whether or not there is something. Sets `error` where they go on
+/// for ever, or a name is not to be had.
+fs::path followed(fs::path path, std::error_code& error) {
+    for (int links = 0; links <= most_links; ++links) {
+        const fs::file_status status = fs::symlink_status(path, error);
+        if (status.type() == fs::file_type::not_found) error.clear();
+        if (error || !fs::is_symlink(status)) return path;
+        const fs::path target = fs::read_symlink(path, error);
+        path = path.parent_path() / target;
+    }
+    error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    return path;
+}
+
+/// The name of a part: of the file's own name as much as a name may hold.
+fs::path part_of(const fs::path& path, int attempt) {
+    const std::string mark =
+        std::string(part_mark) + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+    const std::string name = path.filename().string();
+    return path.parent_path() / (name.substr(0, longest_name - mark.size()) + mark);
+}
+
+bool is_read_only(const fs::path& path, fs::perms mode) {
+    constexpr fs::perms any =
+        fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+    return (mode & any) == fs::perms::none || ::access(path.string().c_str(), W_OK) != 0;
 }
 
 }  // namespace
 
-OutputFile::OutputFile(std::filesystem::path final_path) : final_(std::move(final_path)) {
-    std::error_code ignored;  // opening a file there says what is wrong
-    if (std::filesystem::is_directory(final_, ignored)) fail(EISDIR);
+OutputFile::OutputFile(fs::path final_path) : named_(std::move(final_path)) {
+    std::error_code error;
+    final_ = followed(named_, error);
+    if (error) fail(error.default_error_condition().value());
+    const fs::file_status status = fs::status(final_, error);
+    if (fs::is_directory(status)) fail(EISDIR);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        refuse("it is no regular file; name a new file");
+    if (fs::exists(status) && is_read_only(final_, status.permissions()))
+        refuse("it is read-only; make it writable (chmod u+w), or choose another name");
+    sweep(final_.has_parent_path() ? final_.parent_path() : ".");
     for (int attempt = 0; attempt < most_names && descriptor_ < 0; ++attempt) {
-        temporary_ = final_;
-        temporary_ += ".part" + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+        temporary_ = part_of(final_, attempt);
         descriptor_ = open_new(temporary_);
         if (descriptor_ < 0 && errno != EEXIST) fail(errno);
     }
     if (descriptor_ < 0) fail(EEXIST);
+    hold(descriptor_);
+    keep_mode(final_, descriptor_);
 }
 
 OutputFile::~OutputFile() {
@@ -125,28 +244,30 @@ void OutputFile::commit() {
     }
     descriptor_ = -1;
     std::error_code error;
-    std::filesystem::rename(temporary_, final_, error);
+    fs::rename(temporary_, final_, error);
     if (error) {
         remove_quietly(temporary_);
         fail(error.default_error_condition().value());
     }
 }
 
-void OutputFile::fail(int error_number) const {
-    throw Error(ErrorKind::output_failed, "cannot write " + final_.string() + ": " +
-                                              std::strerror(error_number) + "; " +
-                                              mend(error_number));
+void OutputFile::refuse(const std::string& why) const {
+    throw Error(ErrorKind::output_failed, "cannot write " + named_.string() + ": " + why);
 }
 
-void write_text_file(const std::filesystem::path& path, std::string_view text) {
+void OutputFile::fail(int error_number) const {
+    refuse(std::string(std::strerror(error_number)) + "; " + mend(error_number));
+}
+
+void write_text_file(const fs::path& path, std::string_view text) {
     OutputFile file(path);
     file.write(text);
     file.commit();
 }
 
-std::string read_text_file(const std::filesystem::path& path, std::size_t most_bytes) {
+std::string read_text_file(const fs::path& path, std::size_t most_bytes) {
     std::error_code error;
-    const std::filesystem::file_status status = std::filesystem::status(path, error);
+    const fs::file_status status = fs::status(path, error);
     const std::uintmax_t bytes = is_regular_file(status) ? file_size(path, error) : 0;
     if (error)
         throw Error(ErrorKind::input_refused,

@@ -6,9 +6,12 @@
 
 namespace lod {
 
-/// A file that is complete or absent: bytes go to a temporary name in the same folder, and commit()
-/// flushes them to the disk and renames. Without commit() nothing is left behind.
-/// Every failure (unwritable folder, full disk) throws Error (output failed) naming the final file.
+/// A file that is complete or absent: bytes go to a part, a temporary name in the same folder, and
+/// commit() flushes them to the disk and renames. Without commit() nothing is left behind; what
+/// processes left in that folder that had no time to do so is removed by the next one.
+/// A file that is there already keeps its permissions; one that is read-only, or no regular file,
+/// is not replaced. A link is followed: what it leads to is written. Every failure (unwritable
+/// folder, full disk) throws Error (output failed) naming the final file.
 class OutputFile {
   public:
     explicit OutputFile(std::filesystem::path final_path);
@@ -23,12 +26,16 @@ class OutputFile {
     [[nodiscard]] std::size_t size() const { return size_; }
     void commit();
 
+    /// Where the bytes are after commit(): the file itself, no link.
+    [[nodiscard]] const std::filesystem::path& final_path() const { return final_; }
     /// Where the bytes are until commit(), for libraries that must write to a path themselves.
     [[nodiscard]] const std::filesystem::path& temporary_path() const { return temporary_; }
 
   private:
+    [[noreturn]] void refuse(const std::string& why) const;
     [[noreturn]] void fail(int error_number) const;
 
+    std::filesystem::path named_;  ///< as the caller has it, for messages
     std::filesystem::path final_;
     std::filesystem::path temporary_;
     int descriptor_ = -1;

@@ -198,7 +198,9 @@ class Measurement {
     std::vector<double> impulses_;
 };
 
-void check(const Plan& plan, const Share& share) {
+}  // namespace
+
+void check_plan(const Plan& plan, const Share& share) {
     const auto refuse = [](const std::string& line) {
         throw lod::Error(lod::ErrorKind::usage, line);
     };
@@ -215,14 +217,15 @@ void check(const Plan& plan, const Share& share) {
         refuse("share " + std::to_string(share.index) + "/" + std::to_string(share.count) +
                " does not exist; write 1/" + std::to_string(std::max(1, share.count)) +
                ", the first, and so on");
+    if (share.index > plan.impacts)
+        refuse("share " + std::to_string(share.index) + "/" + std::to_string(share.count) + " of " +
+               std::to_string(plan.impacts) + " impacts holds none; cut them into fewer shares");
 }
-
-}  // namespace
 
 template <int Dim>
 Outcomes degrade(const Plan& plan, std::span<const Kind<Dim>> kinds,
                  const DegradeOptions& options) {
-    check(plan, options.share);
+    check_plan(plan, options.share);
     Outcomes outcomes{plan, {}};
     Measurement<Dim> measurement(plan, kinds, options.clock);
     for (int number = 0; number < plan.impacts; ++number) {

@@ -85,11 +85,13 @@ struct DegradeOptions {
 /// needs; what has not bounced by then has passed through.
 inline constexpr double patience = 0.25;
 
+/// Throws lod::Error (usage) where the plan or the share is out of range, or the share is empty.
+void check_plan(const Plan& plan, const Share& share);
+
 /// Runs every impact of the share at every level by frames of the plan's time step, each by
 /// lod::advance with the level as the deepest, until something pushes. Frames in which a level
 /// cannot have a front are skipped (measure/clearance.hpp), which changes no result.
-/// Requires: kinds belong to the plan's shapes. Throws lod::Error (usage) where the plan or share
-/// is out of range.
+/// Requires: kinds belong to the plan's shapes. Throws lod::Error as check_plan does.
 template <int Dim>
 [[nodiscard]] Outcomes degrade(const Plan& plan, std::span<const Kind<Dim>> kinds,
                                const DegradeOptions& options = {});

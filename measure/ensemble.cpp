@@ -106,12 +106,11 @@ bool find_touch(Approach<Dim>& approach, double horizon, double step) {
 }  // namespace
 
 template <int Dim>
-Kind<Dim> make_kind(const std::string& spec, const scenes::ShapeChoice& shape_choice,
+Kind<Dim> make_kind(const std::string& name, const scenes::Shape<Dim>& shape,
                     const scenes::TreeChoice& tree, const io::TreeCache& cache) {
     using Shapes = scenes::Shapes<Dim>;
-    const auto shape = Shapes::named(spec, shape_choice);
     Kind<Dim> kind;
-    kind.name = spec;
+    kind.name = name;
     lod::set_mass(kind.body, Shapes::measure(shape), Shapes::second_moment(shape));
     kind.body.tree = std::make_shared<const lod::SphereTree<Dim>>(
         scenes::tree_of<Dim>(shape, Shapes::settings(tree), cache));
@@ -138,7 +137,7 @@ Approach<Dim> draw_approach(std::span<const Kind<Dim>> kinds, const EnsembleSett
 }
 
 #define MEASURE_INSTANTIATE(Dim)                                                              \
-    template Kind<Dim> make_kind(const std::string&, const scenes::ShapeChoice&,              \
+    template Kind<Dim> make_kind(const std::string&, const scenes::Shape<Dim>&,               \
                                  const scenes::TreeChoice&, const io::TreeCache&);            \
     template Approach<Dim> draw_approach(std::span<const Kind<Dim>>, const EnsembleSettings&, \
                                          std::uint64_t, double);

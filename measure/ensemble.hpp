@@ -26,10 +26,10 @@ struct Kind {
     }
 };
 
-/// Loads a shape, builds its tree, or takes it from the cache, and measures every level of it.
+/// Builds the tree of a shape, or takes it from the cache, and measures every level of it.
 /// Throws lod::Error as scenes::Shapes does.
 template <int Dim>
-[[nodiscard]] Kind<Dim> make_kind(const std::string& spec, const scenes::ShapeChoice& shape,
+[[nodiscard]] Kind<Dim> make_kind(const std::string& name, const scenes::Shape<Dim>& shape,
                                   const scenes::TreeChoice& tree, const io::TreeCache& cache);
 
 /// Random impacts of two bodies. World frame; body A starts in the origin.

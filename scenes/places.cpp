@@ -95,6 +95,21 @@ std::filesystem::path package_file(std::string_view name) {
     return folder / normal;
 }
 
+std::vector<std::string> shapes_in(const std::string& list) {
+    std::vector<std::string> shapes;
+    for (const std::string& part : parted(list, ',')) {
+        const bool number = !part.empty() && std::string_view("0123456789-.").find(part[0]) !=
+                                                 std::string_view::npos;
+        const bool goes_on =
+            number && !shapes.empty() && shapes.back().find(':') != std::string::npos;
+        if (goes_on)
+            shapes.back().append(",").append(part);
+        else if (!part.empty())
+            shapes.push_back(part);
+    }
+    return shapes;
+}
+
 std::string ending_of(std::string_view name) {
     std::string ending = std::filesystem::path(name).extension().string();
     if (!ending.empty()) ending.erase(0, 1);

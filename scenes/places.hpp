@@ -39,6 +39,10 @@ struct SharedFolder {
 /// of a mesh.
 [[nodiscard]] bool looks_like_file(std::string_view name);
 
+/// The shapes in a list: "box:2,1,L" is box:2,1 and L, since a number goes on with the shape
+/// before.
+[[nodiscard]] std::vector<std::string> shapes_in(const std::string& list);
+
 /// The ending of a file's name, without the point, in lower case.
 [[nodiscard]] std::string ending_of(std::string_view name);
 

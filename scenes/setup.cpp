@@ -63,12 +63,16 @@ typename Stock<Dim>::SharedShape shape_of(const BodySpec& spec, double raise_lim
     return shape;
 }
 
+TreeChoice tree_choice_of(const BodySpec& spec) {
+    return {spec.builder, spec.branching, spec.depth, {}, {}, {}};
+}
+
 template <int Dim>
 typename Stock<Dim>::SharedTree shared_tree(const BodySpec& spec, const Shape<Dim>& shape,
                                             const io::TreeCache& cache,
                                             const std::function<void(double)>& progress,
                                             Stock<Dim>& stock) {
-    const TreeChoice choice{spec.builder, spec.branching, spec.depth, {}, {}, {}};
+    const TreeChoice choice = tree_choice_of(spec);
     auto& tree = stock.trees[{&shape, choice}];
     if (!tree) {
         auto settings = Shapes<Dim>::settings(choice);
@@ -118,26 +122,47 @@ lod::Body<Dim> body_of(const BodySpec& spec, const Shape<Dim>& shape,
     return body;
 }
 
-/// The shape, the tree and the body of one entry.
+/// The shape of one entry, and whether its tree is asked for in words that are known: all that can
+/// be wrong with it is found before the first tree is built.
+template <int Dim>
+std::shared_ptr<const Shape<Dim>> loaded(const BodySpec& spec, double raise_limits,
+                                         Stock<Dim>& stock, std::vector<std::string>& warnings) {
+    if (spec.shape != half_space_name) {
+        static_cast<void>(Shapes<Dim>::settings(tree_choice_of(spec)));
+        return shape_of(spec, raise_limits, stock, warnings);
+    }
+    auto& shape = stock.shapes[{spec.shape, std::nullopt, false}];
+    if (!shape) shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::half_space());
+    return shape;
+}
+
+/// The tree and the body of one entry, whose shape is loaded.
 template <int Dim>
 void add_body(const BodySpec& spec, const SetupOptions& options,
               const std::function<void(double)>& progress, Setup<Dim>& setup, Stock<Dim>& stock) {
-    typename Stock<Dim>::SharedTree tree;
-    if (spec.shape == half_space_name) {
-        auto& shape = stock.shapes[{spec.shape, std::nullopt, false}];
-        if (!shape) shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::half_space());
-        setup.shapes.push_back(shape);
-        tree = std::make_shared<const lod::SphereTree<Dim>>(
-            lod::half_space<Dim>(lod::Vector<Dim>::Unit(1)));
-    } else {
-        setup.shapes.push_back(shape_of(spec, options.raise_limits, stock, setup.warnings));
-        tree = shared_tree(spec, *setup.shapes.back(), options.cache, progress, stock);
-    }
-    const Shape<Dim>& shape = *setup.shapes.back();
+    const Shape<Dim>& shape = *setup.shapes[setup.bodies.size()];
+    typename Stock<Dim>::SharedTree tree =
+        spec.shape == half_space_name ? std::make_shared<const lod::SphereTree<Dim>>(
+                                            lod::half_space<Dim>(lod::Vector<Dim>::Unit(1)))
+                                      : shared_tree(spec, shape, options.cache, progress, stock);
     setup.bodies.push_back(body_of<Dim>(spec, shape, std::move(tree)));
     auto& exact = stock.exact[&shape];
     if (!exact) exact = Shapes<Dim>::exact_of(shape);
     setup.bodies.back().exact = exact;
+}
+
+/// Does something about one entry; what is refused names it.
+template <class Work>
+void at(const BodySpec& spec, const Work& work) {
+    lod::check_interrupted();
+    try {
+        work();
+    } catch (const lod::Error& error) {
+        // A shape that is misspelt in a file is input that is refused, not wrong usage.
+        const auto kind =
+            error.kind() == lod::ErrorKind::usage ? lod::ErrorKind::input_refused : error.kind();
+        throw lod::Error(kind, spec.where + ": body " + spec.name + ": " + error.what());
+    }
 }
 
 template <int Dim>
@@ -179,20 +204,16 @@ Setup<Dim> set_up(const Scene& scene, const SetupOptions& options) {
     setup.scene = scene;
     Stock<Dim> stock;
     const auto count = static_cast<double>(scene.bodies.size());
+    for (const BodySpec& spec : scene.bodies)
+        at(spec, [&] {
+            setup.shapes.push_back(loaded(spec, options.raise_limits, stock, setup.warnings));
+        });
     for (const BodySpec& spec : scene.bodies) {
-        lod::check_interrupted();
         const auto done = static_cast<double>(setup.bodies.size());
         const auto progress = [&](double share) {
             if (options.progress) options.progress((done + share) / count);
         };
-        try {
-            add_body(spec, options, progress, setup, stock);
-        } catch (const lod::Error& error) {
-            // A shape that is misspelt in a file is input that is refused, not wrong usage.
-            const auto kind = error.kind() == lod::ErrorKind::usage ? lod::ErrorKind::input_refused
-                                                                    : error.kind();
-            throw lod::Error(kind, spec.where + ": body " + spec.name + ": " + error.what());
-        }
+        at(spec, [&] { add_body(spec, options, progress, setup, stock); });
     }
     warn_of_overlaps(setup, stock);
     return setup;

@@ -54,4 +54,15 @@ std::string listed(std::span<const std::string_view> candidates) {
     return text;
 }
 
+std::vector<std::string> parted(const std::string& text, char by) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == by)
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
 }  // namespace scenes

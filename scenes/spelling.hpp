@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scenes {
 
@@ -18,5 +19,8 @@ namespace scenes {
 
 /// "net, sum, mean": the candidates for a message.
 [[nodiscard]] std::string listed(std::span<const std::string_view> candidates);
+
+/// The parts between the letters `by`: one more than there are of them.
+[[nodiscard]] std::vector<std::string> parted(const std::string& text, char by);
 
 }  // namespace scenes

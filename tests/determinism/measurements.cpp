@@ -20,8 +20,8 @@ void add_curves(const std::string& where, std::vector<std::string> shapes,
     plan.responses = {lod::Response::net};
     std::vector<measure::Kind<Dim>> kinds;
     for (const std::string& shape : plan.shapes)
-        kinds.push_back(
-            measure::make_kind<Dim>(shape, {}, {builder, {}, plan.depth, {}, {}, {}}, {}));
+        kinds.push_back(measure::make_kind<Dim>(shape, scenes::Shapes<Dim>::named(shape, {}),
+                                                {builder, {}, plan.depth, {}, {}, {}}, {}));
     const measure::Outcomes outcomes = measure::degrade<Dim>(plan, kinds);
     report.add_text("degradation in " + where + ", every outcome",
                     measure::outcomes_json(outcomes));

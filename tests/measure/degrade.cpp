@@ -19,14 +19,14 @@ std::vector<measure::Kind<2>> made_in_plane() {
     scenes::TreeChoice tree;
     tree.depth = 4;
     for (const char* spec : {"box", "L", "star:5"})
-        made.push_back(measure::make_kind<2>(spec, {}, tree, {}));
+        made.push_back(measure::make_kind<2>(spec, scenes::Shapes<2>::named(spec, {}), tree, {}));
     return made;
 }
 std::vector<measure::Kind<3>> made_in_space() {
     scenes::TreeChoice tree;
     tree.depth = 2;
     tree.builder = "octree";
-    return {measure::make_kind<3>("box", {}, tree, {})};
+    return {measure::make_kind<3>("box", scenes::Shapes<3>::named("box", {}), tree, {})};
 }
 template <>
 const std::vector<measure::Kind<2>>& kinds<2>() {

@@ -1,0 +1,243 @@
+// What a user has is not lost, whatever names and signals a run meets.
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "tests/catch.hpp"
+#include "tests/cli/program.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const drawing = "<svg><rect width='4' height='2'/></svg>";
+const char* const scene =
+    "[[body]]\nshape = \"p.svg\"\nvelocity = [1, 0]\nposition = [-2, 0]\n"
+    "[[body]]\nshape = \"disc\"\n";
+
+std::string content(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+/// Refused as wrong usage, in one line with these words, and the file keeps its text.
+void check_kept(const Outcome& outcome, const std::string& words, const std::string& path,
+                const std::string& text) {
+    INFO(outcome.err);
+    CHECK(outcome.code == 2);
+    CHECK(is_one_line(outcome.err));
+    CHECK(contains(outcome.err, words));
+    CHECK(content(path) == text);
+}
+
+Start in(const Scratch& scratch) {
+    Start start;
+    start.folder = scratch.path();
+    return start;
+}
+
+}  // namespace
+
+TEST_CASE("no output takes the place of an input, whatever path or link leads to it") {
+    const Scratch scratch;
+    const std::string file = scratch.write("p.svg", drawing);
+    fs::create_directory(scratch.path() / "sub");
+    fs::create_symlink("p.svg", scratch.path() / "link.svg");
+    fs::create_hard_link(file, scratch.path() / "hard.svg");
+    for (const char* out : {"p.svg", "./p.svg", "sub/../p.svg", "link.svg", "hard.svg"}) {
+        CAPTURE(out);
+        check_kept(lodlab({"tree", "p.svg", "--depth", "1", "--out", out}, in(scratch)),
+                   "it is the input p.svg", file, drawing);
+    }
+    check_kept(lodlab({"tree", "link.svg", "--depth", "1", "--out", "p.svg"}, in(scratch)),
+               "it is the input link.svg", file, drawing);
+    CHECK(fs::is_symlink(scratch.path() / "link.svg"));
+}
+
+TEST_CASE("neither a scene nor a drawing that it names is replaced") {
+    const Scratch scratch;
+    const std::string file = scratch.write("p.svg", drawing);
+    const std::string toml = scratch.write("s.toml", scene);
+    check_kept(lodlab({"simulate", "s.toml", "--trace", "s.toml"}, in(scratch)),
+               "it is the input s.toml", toml, scene);
+    for (const char* command : {"simulate", "collide", "compare"}) {
+        CAPTURE(command);
+        check_kept(lodlab({command, "s.toml", "--out", "p.svg"}, in(scratch)), "p.svg", file,
+                   drawing);
+    }
+}
+
+TEST_CASE("neither a trace that is played again nor a share that is merged is replaced") {
+    const Scratch scratch;
+    REQUIRE(
+        lodlab({"simulate", "offset_boxes", "--duration", "0.1", "--trace", "t.json"}, in(scratch))
+            .code == 0);
+    const std::string trace = content(scratch / "t.json");
+    for (const char* option : {"--out", "--trace"})
+        check_kept(lodlab({"simulate", "offset_boxes", "--replay", "t.json", option, "t.json"},
+                          in(scratch)),
+                   "it is the input t.json", scratch / "t.json", trace);
+    for (const char* share : {"1/2", "2/2"})
+        REQUIRE(lodlab({"degrade", "--shapes", "box", "--depth", "1", "--impacts", "2", "--share",
+                        share, "--out", share[0] == '1' ? "d1.json" : "d2.json"},
+                       in(scratch))
+                    .code == 0);
+    const std::string first = content(scratch / "d1.json");
+    check_kept(lodlab({"degrade", "--merge", "d1.json", "--merge", "d2.json", "--out", "d1.json"},
+                      in(scratch)),
+               "it is the input d1.json", scratch / "d1.json", first);
+}
+
+TEST_CASE("a file that a mesh or a drawing names is not replaced") {
+    const Scratch scratch;
+    const std::string picture = scratch.write("wood.png", "a picture");
+    scratch.write("p.svg", "<svg><image href='wood.png'/><rect width='4' height='2'/></svg>");
+    check_kept(lodlab({"tree", "p.svg", "--depth", "1", "--out", "wood.png"}, in(scratch)),
+               "the input p.svg names it", picture, "a picture");
+}
+
+TEST_CASE("two outputs in one file are refused before either is written") {
+    const Scratch scratch;
+    fs::create_symlink(".", scratch.path() / "here");
+    for (const char* second : {"a.svg", "./a.svg", "here/a.svg"}) {
+        const Outcome outcome =
+            lodlab({"tree", "box", "--depth", "1", "--out", "a.svg", "--out", second}, in(scratch));
+        CHECK(outcome.code == 2);
+        CHECK(contains(outcome.err, "a.svg is written to that file too"));
+        CHECK(scratch.files() == std::vector<std::string>{"here"});
+    }
+    const Outcome outcome = lodlab(
+        {"simulate", "offset_boxes", "--duration", "0.1", "--trace", "a.json", "--out", "a.json"},
+        in(scratch));
+    CHECK(outcome.code == 2);
+}
+
+TEST_CASE("a read-only file stays, also for root, and any other keeps its permissions") {
+    const Scratch scratch;
+    const std::string file = scratch.write("k.svg", "keep");
+    ::chmod(file.c_str(), 0444);
+    const Outcome refused = lodlab({"tree", "box", "--depth", "1", "--out", file});
+    CHECK(refused.code == 4);
+    CHECK(contains(refused.err, "it is read-only"));
+    CHECK(content(file) == "keep");
+    ::chmod(file.c_str(), 0640);
+    CHECK(lodlab({"tree", "box", "--depth", "1", "--out", file}).code == 0);
+    CHECK(contains(content(file), "<svg"));
+    struct stat status {};
+    REQUIRE(::stat(file.c_str(), &status) == 0);
+    CHECK((status.st_mode & 0777) == 0640);
+}
+
+TEST_CASE("a link is followed: what it leads to is written, and the link stays") {
+    const Scratch scratch;
+    fs::create_directory(scratch.path() / "far");
+    fs::create_symlink("far/real.svg", scratch.path() / "link.svg");  // there is no such file yet
+    for (int time = 0; time < 2; ++time) {
+        CHECK(lodlab({"tree", "box", "--depth", "1", "--out", "link.svg"}, in(scratch)).code == 0);
+        CHECK(fs::is_symlink(scratch.path() / "link.svg"));
+        CHECK(contains(content(scratch / "far/real.svg"), "<svg"));
+    }
+}
+
+TEST_CASE("names are as long as the system has them, and no output is a link to itself") {
+    const Scratch scratch;
+    for (const int letters : {245, 251, 255}) {
+        const std::string name = std::string(static_cast<std::size_t>(letters - 4), 'x') + ".svg";
+        CHECK(lodlab({"tree", "box", "--depth", "1", "--out", scratch / name}).code == 0);
+        CHECK(fs::exists(scratch / name));
+    }
+    std::string too_long = ".svg";
+    too_long.insert(0, 256, 'x');
+    fs::create_symlink("loop.svg", scratch.path() / "loop.svg");
+    const std::vector<std::string> wrong{"loop.svg", too_long};
+    for (const std::string& name : wrong) {
+        for (const char* option : {"--out", "--trace"}) {
+            const Outcome outcome =
+                lodlab({"simulate", "offset_boxes", "--duration", "0.1", option, scratch / name});
+            INFO(outcome.err);
+            CHECK(outcome.code == 4);
+            CHECK(is_one_line(outcome.err));
+        }
+    }
+}
+
+TEST_CASE("a device or a pipe is no place for a file that is complete or absent") {
+    const Scratch scratch;
+    REQUIRE(::mkfifo((scratch / "pipe.svg").c_str(), 0600) == 0);
+    const Outcome outcome = lodlab({"tree", "box", "--depth", "1", "--out", scratch / "pipe.svg"});
+    CHECK(outcome.code == 4);
+    CHECK(contains(outcome.err, "it is no regular file"));
+    CHECK(fs::is_fifo(scratch / "pipe.svg"));
+}
+
+TEST_CASE("what a process that died left half-written is swept by the next one") {
+    const Scratch scratch;
+    const pid_t dead = ::fork();
+    if (dead == 0) ::_exit(0);
+    ::waitpid(dead, nullptr, 0);
+    const std::string old = scratch.write("film.mp4.part" + std::to_string(dead) + "-0", "half");
+    const std::string ours = scratch.write("a.svg.part" + std::to_string(::getpid()) + "-0", "x");
+    const std::string other = scratch.write("letter.part1", "not a part of lodlab's");
+    CHECK(lodlab({"tree", "box", "--depth", "1", "--out", scratch / "a.svg"}).code == 0);
+    CHECK_FALSE(fs::exists(old));
+    CHECK(fs::exists(ours));
+    CHECK(fs::exists(other));
+}
+
+TEST_CASE("every signal that ends a program lets it tidy up") {
+    const int signal = GENERATE(SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGALRM, SIGTERM, SIGXCPU,
+                                SIGVTALRM, SIGPROF, SIGUSR1, SIGUSR2);
+    CAPTURE(signal);
+    const Scratch scratch;
+    Start start;
+    start.signal = signal;
+    start.when_exists = scratch.path() / "film.mp4.part";
+    const Outcome outcome = lodlab(
+        {"simulate", "gears_in_a_box", "--quality", "4k", "--out", scratch / "film.mp4"}, start);
+    CHECK(outcome.code == 128 + signal);
+    CHECK(scratch.files().empty());
+}
+
+TEST_CASE("a closed terminal does not stop what runs under nohup") {
+    const Scratch scratch;
+    Start start;
+    start.in_child = [] { std::signal(SIGHUP, SIG_IGN); };
+    start.signal = SIGHUP;
+    start.when_exists = scratch.path() / "film.mp4.part";
+    const Outcome outcome = lodlab({"simulate", "offset_boxes", "--duration", "0.3", "--quality",
+                                    "draft", "--out", scratch / "film.mp4"},
+                                   start);
+    CHECK(outcome.code == 0);
+    CHECK(fs::exists(scratch.path() / "film.mp4"));
+}
+
+TEST_CASE("what is misspelt is found before the first tree is built") {
+    // The first shape alone takes seconds; nothing may be built, so nothing may be kept.
+    const Scratch scratch;
+    Start start = in(scratch);
+    start.environment = {"PATH=/usr/bin:/bin", "HOME=/nonexistent",
+                         "XDG_CACHE_HOME=" + scratch.path().string()};
+    const std::vector<std::vector<std::string>> wrong{
+        {"degrade", "--dim", "3", "--shapes", "box,L,torus", "--depth", "1"},
+        {"degrade", "--shapes", "box,L", "--builder", "octtree", "--depth", "1"},
+        {"degrade", "--shapes", "box,L", "--share", "3/2", "--depth", "1"},
+        {"degrade", "--shapes", "box,L", "--impacts", "2", "--share", "3/4", "--depth", "1"},
+        {"simulate",
+         scratch.write("s.toml", "[[body]]\nshape = \"box\"\n[[body]]\nshape = \"bx\"\n")},
+    };
+    for (const std::vector<std::string>& arguments : wrong) {
+        const Outcome outcome = lodlab(arguments, start);
+        INFO(outcome.err);
+        CHECK((outcome.code == 2 || outcome.code == 3));
+        CHECK(is_one_line(outcome.err));
+        CHECK_FALSE(fs::exists(scratch.path() / "lodlab"));
+    }
+}
