@@ -83,6 +83,7 @@ const Row rows[] = {
     {"--share", [](CLI::App& a, Options& o) { a.add_option("--share", o.share, "do one share of the impacts only, as in 3/8")->type_name("I/N")->capture_default_str(); }},
     {"--merge", [](CLI::App& a, Options& o) { a.add_option("--merge", o.merge, "put shares together that --out FILE.json wrote")->type_name("FILE"); }},
     {"--finest", [](CLI::App& a, Options& o) { a.add_option("--finest", o.finest, "what follows the leaves")->check(one_of({scenes::finest_names.begin(), scenes::finest_names.end()})); }},
+    {"--sweep", [](CLI::App& a, Options& o) { a.add_option("--sweep", o.sweep, "look between frames for what fast bodies would pass through; without it where --finest goes beyond the leaves")->check(one_of({"on", "off"})); }},
     {"--projected", [](CLI::App& a, Options& o) { a.add_flag("--projected", o.projected, "space: pictures show the last level's intersecting spheres in the plane of the contact normal"); }},
     {"--strip", [](CLI::App& a, Options& o) { a.add_flag_callback("--strip", [&o] { o.picture = "strip"; }, "still pictures show start, collision and after (two bodies: the default)"); }},
     {"--plot", [](CLI::App& a, Options& o) { a.add_flag_callback("--plot", [&o] { o.picture = "plot"; }, "still pictures show energy and momentum over time"); }},

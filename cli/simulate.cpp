@@ -32,6 +32,7 @@ Json result_of(const scenes::Run<Dim>& run, const scenes::Summary& summary) {
         {"interrupted_frames", summary.interrupted_frames},
         {"exact_pairs", summary.exact_pairs},
         {"backtracked_pairs", summary.backtracked_pairs},
+        {"swept_contacts", summary.swept_contacts},
         {"level_reached",
          {{"min", or_null(summary.level_min)},
           {"median", or_null(summary.level_median)},
@@ -57,6 +58,10 @@ std::string report_of(const scenes::Scene& scene, const scenes::Run<Dim>& run,
     if (summary.exact_pairs > 0)
         text += "  exact contact for " + std::to_string(summary.exact_pairs) + " pairs, " +
                 std::to_string(summary.backtracked_pairs) + " of them backtracked\n";
+    if (summary.swept_contacts > 0)
+        text +=
+            "  contacts between frames, of fast bodies: " + std::to_string(summary.swept_contacts) +
+            "\n";
     text += "  kinetic energy " + readable(run.energy_start) + " J -> " + readable(run.energy_end) +
             " J\n";
     text += "  momentum " + in_brackets(run.momentum_start) + " -> " +
@@ -71,7 +76,7 @@ void check_replay(const Options& options) {
     const bool other = options.level || options.budget || options.milliseconds ||
                        options.duration || !options.response.empty() ||
                        !options.point_model.empty() || !options.contact_model.empty() ||
-                       !options.finest.empty();
+                       !options.finest.empty() || !options.sweep.empty();
     if (!options.replay.empty() && other)
         throw lod::Error(lod::ErrorKind::usage,
                          "a replay takes its limit, duration and models from the trace; drop "

@@ -47,6 +47,7 @@ scenes::Scene scene_of(const Options& options) {
     override_choice(options.contact_model, scenes::contact_model_names, scene.contact_model);
     override_choice(options.point_model, scenes::point_model_names, scene.point_model);
     override_choice(options.finest, scenes::finest_names, scene.finest.level);
+    if (!options.sweep.empty()) scene.sweep = options.sweep == "on";
     if (options.duration) scene.duration = *options.duration;
     return scene;
 }
@@ -80,7 +81,10 @@ scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
     run.limits = scene.limits;
     run.clock = &steady_clock();
     run.progress = [&](double share) { bar.show(share); };
-    return scenes::run(setup.bodies, run);
+    scenes::Run<Dim> result = scenes::run(setup.bodies, run);
+    for (const std::string& line : scenes::speed_warnings<Dim>(scene, setup.bodies, result))
+        remark(line);
+    return result;
 }
 
 template <int Dim>

@@ -132,6 +132,7 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
     refill(storage.record.impulses, storage.record.impacts.size(), 0.0);
     storage.record.reserved_row_visits = reserved_row_visits(storage);
     storage.record.response = {};
+    storage.record.swept.clear();
     storage.record.energy_before = kinetic_energy(bodies);
     storage.record.energy_after = storage.record.energy_before;
     return storage.record;
@@ -147,7 +148,12 @@ const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings
         storage.resolver.resolve(settings.response, record.impacts, bodies, record.impulses);
     record.energy_after = kinetic_energy<Dim>(bodies);
     catch_up(storage, bodies);
-    integrate(bodies, settings.time_step);
+    if (settings.sweep.on)
+        storage.sweeper.advance(bodies, settings.time_step, settings.sweep,
+                                {settings.contact_model, settings.point_model, settings.response},
+                                record.swept);
+    else
+        integrate(bodies, settings.time_step);
     return record;
 }
 

@@ -9,6 +9,7 @@
 #include "lodlab/core/front_contacts.hpp"
 #include "lodlab/core/response.hpp"
 #include "lodlab/core/schedule.hpp"
+#include "lodlab/core/sweep.hpp"
 
 namespace lod {
 
@@ -20,6 +21,7 @@ struct FrameSettings {
     Response response = Response::net;
     Priority priority = Priority::closing_speed;
     FinestDetail finest = {};  ///< beyond the leaves; a warm frame allocates nothing without it
+    SweepSettings sweep = {};  ///< between this frame and the next
 };
 
 /// What a frame found of one candidate pair; the lists that it points into are the record's.
@@ -57,6 +59,8 @@ struct FrameRecord {
     ResponseReport response;   ///< of `advance`
     double energy_before = 0;  ///< kinetic, before the response [J]
     double energy_after = 0;   ///< kinetic, after it [J]
+    /// What fast bodies ran into on the way to the next frame, in the order of time.
+    std::vector<SweptImpact<Dim>> swept;
 
     [[nodiscard]] bool interrupted() const { return cut.has_value(); }
     /// The node pairs of a pair or behind a contact.
@@ -79,6 +83,7 @@ struct FrameStorage {
     FrontContacts<Dim> front_contacts;
     FrontModel<Dim> front;  ///< of one pair
     Resolver<Dim> resolver;
+    Sweeper<Dim> sweeper;
     FrameRecord<Dim> record;
 };
 
@@ -88,9 +93,9 @@ LOD_NO_DANGLING const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies
                                                const FrameSettings& settings, Budget& budget,
                                                FrameStorage<Dim>& storage);
 
-/// One frame: detect, respond, integrate. A pair that is backtracked (FinestDetail) responds where
-/// it stood at its time of impact and goes on from there. The record is valid until the next call.
-/// Requires: every body passed check_body.
+/// One frame: detect, respond, integrate (with SweepSettings, sweep). A pair that is backtracked
+/// (FinestDetail) responds where it stood at its time of impact and goes on from there. The record
+/// is valid until the next call. Requires: every body passed check_body.
 template <int Dim>
 LOD_NO_DANGLING const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies,
                                                 const FrameSettings& settings, Budget& budget,

@@ -326,7 +326,7 @@ std::optional<Manifold<Dim>> meet(const PosedHull<Dim>& a, const PosedHull<Dim>&
         const Vector<Dim> side = Space<Dim>::side_normal(to - face.corners[i], normal);
         facet.clip(side, side.dot(to));
     }
-    facet.keep_few(normal, offset);
+    facet.keep_few(normal, offset + slack);  // what just touches lies above it by rounding
     if (facet.count == 0) facet.corners[facet.count++] = other.corners[lowest(other, normal)];
     Manifold<Dim> manifold;
     manifold.normal = axis.of_b ? -normal : normal;

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "lodlab/core/time_of_impact.hpp"
+
 namespace measure {
 namespace {
 
@@ -129,6 +131,15 @@ std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
         for (const auto& [pair, later] : pushed)
             log.add(static_cast<double>(k) * run.settings.time_step + later, pair.first,
                     pair.second, before, after);
+        for (const lod::SweptImpact<Dim>& met : record.swept) {
+            if (!(met.impulse > 0)) continue;
+            std::vector<lod::Body<Dim>> then = before;  // as its first impact of the frame finds it
+            for (const std::int32_t body : {met.a, met.b})
+                then[at(body)] =
+                    lod::moved_freely(before[at(body)], met.time, run.settings.time_step);
+            log.add(static_cast<double>(k) * run.settings.time_step + met.time, met.a, met.b, then,
+                    after);
+        }
     }
     std::vector<Collision<Dim>> collisions = log.collisions();
     std::stable_sort(collisions.begin(), collisions.end(),

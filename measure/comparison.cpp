@@ -75,6 +75,8 @@ int deepest_level(Bodies bodies) {
 lod::FrameSettings down_to(lod::FrameSettings settings, int level) {
     settings.deepest_level = level;
     settings.finest = {};
+    settings.sweep.deepest_level = level;
+    settings.sweep.exact = false;
     return settings;
 }
 
@@ -83,6 +85,8 @@ lod::FrameSettings exactly(lod::FrameSettings settings, int level) {
     settings = down_to(settings, level);
     settings.finest.level = lod::Finest::backtrack;
     settings.finest.most_pairs = std::numeric_limits<int>::max();
+    settings.sweep.on = true;
+    settings.sweep.exact = true;
     return settings;
 }
 

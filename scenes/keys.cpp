@@ -186,6 +186,7 @@ const Key<Scene> scene_table[] = {
     {"priority", "", "closing_speed", [](const E& e, Scene& s, Reading&) { s.priority = choice<lod::Priority>(e, priority_names); }},
     {"finest", "", "leaves", [](const E& e, Scene& s, Reading&) { s.finest.level = choice<lod::Finest>(e, finest_names); }},
     {"finest_pairs", "pairs a frame", "8", [](const E& e, Scene& s, Reading&) { s.finest.most_pairs = integer(e, 0, 1'000'000); }},
+    {"sweep", "", "true with finest", [](const E& e, Scene& s, Reading&) { s.sweep = truth(e); }},
     {"restitution", "", "1", [](const E& e, Scene&, Reading& r) { r.defaults.restitution = number(e, 0, 1); }},
     {"density", "kg/m^2, kg/m^3", "1", [](const E& e, Scene&, Reading& r) { r.defaults.density = mass(e); }},
     {"builder", "", "the best one", [](const E& e, Scene&, Reading& r) { r.defaults.builder = text(e); }},

@@ -1,6 +1,8 @@
 #include "lodlab/scenes/run.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include "lodlab/core/error.hpp"
@@ -83,6 +85,13 @@ lod::FrameSettings frame_settings(const Scene& scene, const Limits& limits) {
     settings.response = scene.response;
     settings.priority = scene.priority;
     settings.finest = scene.finest;
+    const bool beyond_leaves = scene.finest.level != lod::Finest::leaves;
+    settings.sweep.on = scene.sweep.value_or(beyond_leaves);
+    // What is swept is paid by no budget: under one, as little as may be.
+    const bool limited = limits.node_tests || limits.milliseconds;
+    settings.sweep.deepest_level = limited ? 0 : settings.deepest_level;
+    settings.sweep.exact = beyond_leaves && !limited && !limits.level;
+    settings.sweep.tolerance = scene.finest.tolerance;
     return settings;
 }
 
@@ -116,6 +125,51 @@ Run<Dim> run(std::vector<lod::Body<Dim>> bodies, const RunOptions& options) {
     return result;
 }
 
+namespace {
+
+/// A number with three digits.
+std::string rounded(double number) {
+    std::array<char, 32> text;
+    const auto* end =
+        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 3)
+            .ptr;
+    return {text.data(), static_cast<std::size_t>(end - text.data())};
+}
+
+/// Whether there is something that it could pass through.
+template <int Dim>
+bool has_others(std::span<const lod::Body<Dim>> bodies, std::size_t body) {
+    for (std::size_t other = 0; other < bodies.size(); ++other)
+        if (other != body && !bodies[other].tree->is_half_space()) return true;
+    return false;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<std::string> speed_warnings(const Scene& scene, std::span<const lod::Body<Dim>> bodies,
+                                        const Run<Dim>& run) {
+    std::vector<std::string> lines;
+    if (run.settings.sweep.on) return lines;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (!has_others(bodies, i)) continue;
+        lod::Body<Dim> body = bodies[i];
+        double furthest = 0;
+        for (const Step<Dim>& step : run.steps) {
+            put(step.before[i], body);
+            furthest = std::max(furthest, lod::reach_of_motion(body, run.settings.time_step));
+        }
+        const double thickness = lod::thickness(*body.tree);
+        if (furthest <= thickness) continue;
+        lines.push_back("body " + scene.bodies[i].name + " moves up to " + rounded(furthest) +
+                        " m a frame and is " + rounded(thickness) +
+                        " m thick, so it may pass through others unseen; let fast bodies be swept "
+                        "(sweep = true, --sweep on), or stay below " +
+                        rounded(thickness / run.settings.time_step) + " m/s");
+    }
+    return lines;
+}
+
 template <int Dim>
 Summary summarise(const Run<Dim>& run) {
     Summary summary;
@@ -124,6 +178,7 @@ Summary summarise(const Run<Dim>& run) {
     for (const Step<Dim>& step : run.steps) {
         summary.tests += step.record.tests;
         summary.contacts += step.record.impacts.size();
+        summary.swept_contacts += step.record.swept.size();
         summary.interrupted_frames += step.record.interrupted() ? 1 : 0;
         for (const lod::PairRecord& pair : step.record.pairs) {
             summary.exact_pairs += pair.finest != lod::Finest::leaves ? 1 : 0;
@@ -150,6 +205,8 @@ Summary summarise(const Run<Dim>& run) {
 #define SCENES_INSTANTIATE(Dim)                                            \
     template State<Dim> state_of(const lod::Body<Dim>&);                   \
     template void put(const State<Dim>&, lod::Body<Dim>&);                 \
+    template std::vector<std::string> speed_warnings(                      \
+        const Scene&, std::span<const lod::Body<Dim>>, const Run<Dim>&);   \
     template Run<Dim> run(std::vector<lod::Body<Dim>>, const RunOptions&); \
     template Summary summarise(const Run<Dim>&);
 SCENES_INSTANTIATE(2)

@@ -75,6 +75,15 @@ template <int Dim>
 /// The settings of a scene as the frames take them, `limits` instead of the scene's own.
 [[nodiscard]] lod::FrameSettings frame_settings(const Scene& scene, const Limits& limits);
 
+/// One line for every body that moves further in a frame of the run than it is thick, where nothing
+/// is swept: it may pass through another that no frame sees it in. Names the body as the scene
+/// does, and the speed up to which that cannot happen. Requires: the run is one of scene and
+/// bodies.
+template <int Dim>
+[[nodiscard]] std::vector<std::string> speed_warnings(const Scene& scene,
+                                                      std::span<const lod::Body<Dim>> bodies,
+                                                      const Run<Dim>& run);
+
 /// Numbers of a whole run, for reports.
 struct Summary {
     std::uint64_t tests = 0;
@@ -82,6 +91,7 @@ struct Summary {
     int interrupted_frames = 0;
     std::uint64_t exact_pairs = 0;        ///< that got exact contact, over all frames
     std::uint64_t backtracked_pairs = 0;  ///< of these: that responded at their time of impact
+    std::uint64_t swept_contacts = 0;     ///< of fast bodies, between two frames
     /// Last finished level of the pairs whose nodes still overlapped there: those that the response
     /// treated as colliding. All -1 when there was none.
     int level_min = -1;

@@ -77,6 +77,8 @@ struct Scene {
     lod::PointModel point_model = lod::PointModel::radius_ratio;
     lod::Priority priority = lod::Priority::closing_speed;
     lod::FinestDetail finest;      ///< beyond the leaves
+    /// Whether fast bodies are swept between frames; nothing: where something follows the leaves.
+    std::optional<bool> sweep;
     std::optional<Camera> camera;  ///< nothing: pictures frame all that moves
 
     [[nodiscard]] std::int64_t frames() const;  ///< steps that cover the duration, at least 1

@@ -86,6 +86,20 @@ Json pairs(const lod::FrameRecord<Dim>& record) {
     return list;
 }
 
+template <int Dim>
+Json swept(const lod::FrameRecord<Dim>& record) {
+    Json list = Json::array();
+    for (const lod::SweptImpact<Dim>& met : record.swept)
+        list.push_back({{"a", met.a},
+                        {"b", met.b},
+                        {"time", met.time},
+                        {"point", array_of(met.contact.point)},
+                        {"normal", array_of(met.contact.normal)},
+                        {"depth", met.contact.depth},
+                        {"impulse", met.impulse}});
+    return list;
+}
+
 Json settings_json(const lod::FrameSettings& settings) {
     return {
         {"time_step", settings.time_step},
@@ -98,7 +112,13 @@ Json settings_json(const lod::FrameSettings& settings) {
          {{"level", finest_names[static_cast<std::size_t>(settings.finest.level)]},
           {"most_pairs", settings.finest.most_pairs},
           {"cost", settings.finest.cost},
-          {"tolerance", settings.finest.tolerance}}}};
+          {"tolerance", settings.finest.tolerance}}},
+        {"sweep",
+         {{"on", settings.sweep.on},
+          {"deepest_level", settings.sweep.deepest_level},
+          {"exact", settings.sweep.exact},
+          {"tolerance", settings.sweep.tolerance},
+          {"most_impacts", settings.sweep.most_impacts}}}};
 }
 
 template <class Choice, std::size_t n>
@@ -107,6 +127,17 @@ Choice choice(const Json& json, const std::array<std::string_view, n>& names) {
     for (std::size_t i = 0; i < n; ++i)
         if (names[i] == name) return static_cast<Choice>(i);
     throw std::invalid_argument("\"" + name + "\" is no setting");
+}
+
+lod::SweepSettings sweep_from(const Json& json) {
+    lod::SweepSettings sweep;
+    sweep.on = json.at("on").get<bool>();
+    sweep.deepest_level = json.at("deepest_level").get<int>();
+    sweep.exact = json.at("exact").get<bool>();
+    sweep.tolerance = json.at("tolerance").get<double>();
+    sweep.most_impacts = json.at("most_impacts").get<int>();
+    if (!(sweep.tolerance > 0)) throw std::invalid_argument("tolerance is out of range");
+    return sweep;
 }
 
 lod::FrameSettings settings_from(const Json& json) {
@@ -123,6 +154,7 @@ lod::FrameSettings settings_from(const Json& json) {
         if (!(settings.finest.tolerance > 0))
             throw std::invalid_argument("tolerance is out of range");
     }
+    if (json.contains("sweep")) settings.sweep = sweep_from(json.at("sweep"));
     settings.contact_model =
         json.contains("contact_model")
             ? choice<lod::ContactModel>(json.at("contact_model"), contact_model_names)
@@ -201,11 +233,12 @@ void write_trace(const std::filesystem::path& path, const std::string& scene,
     for (std::size_t k = 0; k < run.steps.size(); ++k) {
         lod::check_interrupted();
         const Step<Dim>& step = run.steps[k];
-        const Json frame = {{"cut", step.record.cut ? cut_json(*step.record.cut) : Json()},
-                            {"state_hash", hexadecimal(step.state_hash)},
-                            {"tests", step.record.tests},
-                            {"bodies", states(step.before)},
-                            {"pairs", pairs(step.record)}};
+        Json frame = {{"cut", step.record.cut ? cut_json(*step.record.cut) : Json()},
+                      {"state_hash", hexadecimal(step.state_hash)},
+                      {"tests", step.record.tests},
+                      {"bodies", states(step.before)},
+                      {"pairs", pairs(step.record)}};
+        if (!step.record.swept.empty()) frame["swept"] = swept(step.record);
         file.write(frame.dump() + (k + 1 < run.steps.size() ? ",\n" : "\n"));
     }
     file.write("],\n\"end\": " + Json({{"bodies", states(run.end)}}).dump() + "}\n");

@@ -139,6 +139,27 @@ TEMPLATE_TEST_CASE_SIG("two boxes meet on their faces, where worked by hand", "[
                     .has_value());
 }
 
+TEMPLATE_TEST_CASE_SIG("hulls that touch within rounding touch where they are near each other", "",
+                       ((int Dim), Dim), 2, 3) {
+    // A small box before the middle of a wide one: the corners of the wide face are far away.
+    Vector<Dim> wide = Vector<Dim>::Constant(10);
+    wide[0] = 0.5;
+    const NodeHulls<Dim> wall = only(hull_of<Dim>(box_corners<Dim>(wide)));
+    const NodeHulls<Dim> small = only(hull_of<Dim>(box_corners<Dim>(Vector<Dim>::Constant(0.1))));
+    for (const double gap : {0.0, 2e-7, 5e-7, 8e-7})
+        for (double angle = 0; angle < 6; angle += 0.1) {
+            CAPTURE(gap, angle);
+            const Matrix<Dim> turn = Space<Dim>::rotation(
+                Space<Dim>::turned(Space<Dim>::unturned(), planar_spin<Dim>(angle)));
+            const Vector<Dim> between = turn * ((0.6 + gap) * Vector<Dim>::Unit(0));
+            const auto found = meet(posed(small, Vector<Dim>(Vector<Dim>::Zero()), angle),
+                                    posed(wall, between, angle), still<Dim>(between), 1e-6);
+            REQUIRE(found);
+            for (std::size_t k = 0; k < found->count; ++k)
+                CHECK((found->points[k] - turn * (0.1 * Vector<Dim>::Unit(0))).norm() <= 0.2);
+        }
+}
+
 TEMPLATE_TEST_CASE_SIG("a corner that stands on a face is one contact", "[hull]", ((int Dim), Dim),
                        2, 3) {
     const NodeHulls<Dim> cube = only(hull_of<Dim>(box_corners<Dim>(Vector<Dim>::Constant(0.5))));

@@ -113,6 +113,11 @@ void add_crowds_of(const std::string& where, Report& report) {
     in_order.priority = lod::Priority::in_order;
     report.add("crowd in " + where + ", 100 node tests a frame, in order",
                crowd<Dim>(in_order, lod::Budget::node_tests(100)));
+    lod::FrameSettings swept;  // at steps in which the clusters move further than their leaves are
+    swept.time_step = 0.1;
+    swept.sweep.on = true;
+    report.add("crowd in " + where + ", swept at a tenth of a second a frame",
+               crowd<Dim>(swept, lod::Budget::unlimited()));
     add_models<Dim>(where, report);
 }
 
