@@ -46,6 +46,18 @@ std::size_t choose_normal(const PartPair<Dim>& pair) {
     return k;
 }
 
+/// How far a point is from the box about a part, at least; along the axis where that is most.
+template <int Dim>
+double distance_to_box(const ConvexPart<Dim>& part, const Vector<Dim>& point) {
+    Vector<Dim> low = part.corner[0];
+    Vector<Dim> high = low;
+    for (const Vector<Dim>& corner : part.corners()) {
+        low = low.cwiseMin(corner);
+        high = high.cwiseMax(corner);
+    }
+    return (low - point).cwiseMax(point - high).maxCoeff() - part.radius;
+}
+
 template <int Dim>
 class Touching final : public PartVisitor<Dim> {
   public:
@@ -58,6 +70,7 @@ class Touching final : public PartVisitor<Dim> {
     void visit(const PartPair<Dim>& pair) override {
         if (pair.distance > reach_ || pair.directions == 0) return;
         const std::size_t chosen = choose_normal(pair);
+        near.push_back(pair);
         auto& found = chosen < pair.firm_directions ? firm : loose;
         for (std::size_t k = 0; k < pair.feet_count; ++k) {
             const auto& [on_a, on_b] = pair.feet[k];
@@ -69,6 +82,7 @@ class Touching final : public PartVisitor<Dim> {
     // Frame of A.
     std::vector<Contact<Dim>> firm;   ///< with the normals of facets
     std::vector<Contact<Dim>> loose;  ///< with the directions of shortest ways
+    std::vector<PartPair<Dim>> near;  ///< all that are within reach
 
   private:
     double reach_;
@@ -76,6 +90,35 @@ class Touching final : public PartVisitor<Dim> {
 
 /// Normals whose cosine is no further from 1 belong to one face: 1e-4 rad.
 constexpr double one_normal = 5e-9;
+
+/// Where corner and corner meet, the bodies are apart near by along several normals, and one along
+/// which they do not approach is enough: they pass each other. Drops the contacts of such a point
+/// that approach. Frame of A; `motion` is the velocity of B's point less that of A's.
+template <int Dim, class Motion>
+void drop_passed_corners(const Touching<Dim>& touching, double near, const Motion& motion,
+                         std::vector<Contact<Dim>>& contacts) {
+    constexpr double rounding = 1e-12;  // of a speed
+    const auto is_local = [&](const PartPair<Dim>& pair, const Vector<Dim>& point) {
+        return distance_to_box(pair.a, point) <= near && distance_to_box(pair.b, point) <= near;
+    };
+    const auto apart_along = [&](const Vector<Dim>& normal, const Vector<Dim>& point) {
+        return std::ranges::all_of(touching.near, [&](const PartPair<Dim>& pair) {
+            return !is_local(pair, point) || gap_along(normal, pair.a, pair.b) >= -near;
+        });
+    };
+    std::erase_if(contacts, [&](const Contact<Dim>& contact) {
+        const Vector<Dim> speed = motion(contact.point);
+        if (contact.normal.dot(speed) >= 0) return false;
+        return std::ranges::any_of(touching.near, [&](const PartPair<Dim>& pair) {
+            if (!is_local(pair, contact.point)) return false;
+            const std::span normals(pair.direction.data(), pair.firm_directions);
+            return std::ranges::any_of(normals, [&](const Vector<Dim>& normal) {
+                return normal.dot(speed) >= -rounding * speed.norm() &&
+                       apart_along(normal, contact.point);
+            });
+        });
+    });
+}
 
 /// Moves the contacts with the normal of the first one to `face`; all take that normal.
 template <int Dim>
@@ -119,6 +162,13 @@ void touching_contacts(const Body<Dim>& a, const Body<Dim>& b, double reach,
     a.exact->visit_pairs(*b.exact, seen_from(at_a, placement(b)), touching);
     std::vector<Contact<Dim>>& found = touching.firm;  // first: others take their normals
     found.insert(found.end(), touching.loose.begin(), touching.loose.end());
+    const auto motion = [&](const Vector<Dim>& point) {
+        const Vector<Dim> p = at_a.carry(point);
+        const Vector<Dim> of_a = a.velocity + Space<Dim>::cross(a.spin, p - a.position);
+        const Vector<Dim> of_b = b.velocity + Space<Dim>::cross(b.spin, p - b.position);
+        return Vector<Dim>(at_a.rotation.transpose() * (of_b - of_a));
+    };
+    drop_passed_corners<Dim>(touching, 4 * reach, motion, found);
     contacts.clear();
     std::vector<Contact<Dim>> face;
     while (!found.empty()) {

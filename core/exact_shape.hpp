@@ -145,7 +145,9 @@ template <int Dim>
 /// or two edges that cross; where faces meet, the corners of what they share (the end points of a
 /// segment in the plane, the corners of a polygon in space). `depth` is minus the gap. The normal
 /// is that of the face where there is one. Contacts with one normal whose points form one convex
-/// hull, as a comb on a floor makes, are reduced to its corners.
+/// hull, as a comb on a floor makes, are reduced to its corners. Where corner and corner meet there
+/// are several normals along which the bodies are apart near by; where they do not approach along
+/// one of these they pass each other, and no contact there approaches.
 /// Requires: body.exact of both, their boundaries share no point, reach > their distance.
 template <int Dim>
 void touching_contacts(const Body<Dim>& a, const Body<Dim>& b, double reach,

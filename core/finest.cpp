@@ -44,6 +44,67 @@ void touch_now(const Body<Dim>& a, const Body<Dim>& b, double tolerance, ExactCo
     touching_contacts(a, b, gap + tolerance, found.contacts);
 }
 
+/// The normals along which two shapes that share a point may be apart by a hair. Frame of A.
+template <int Dim>
+class Normals final : public PartVisitor<Dim> {
+  public:
+    explicit Normals(double reach) : reach_(reach) {}
+
+    bool skips(const ConvexPart<Dim>&, const ConvexPart<Dim>&, const Vector<Dim>&,
+               double gap) const override {
+        return gap > reach_ || found.size() >= most;
+    }
+    void visit(const PartPair<Dim>& pair) override {
+        if (pair.distance > reach_) return;
+        // Parts that share a point have no direction of their own.
+        for (std::size_t k = 0; k < pair.firm_directions; ++k) add(pair.direction[k]);
+        add_facet(pair.a);
+        add_facet(pair.b);
+    }
+
+    static constexpr std::size_t most = 32;
+    std::vector<Vector<Dim>> found;
+
+  private:
+    void add(const Vector<Dim>& normal) {
+        const auto known = [&](const Vector<Dim>& n) { return n.dot(normal) > 1 - 1e-9; };
+        if (found.size() < most && std::ranges::none_of(found, known)) found.push_back(normal);
+    }
+    /// Either way: which is right, a shift shows.
+    void add_facet(const ConvexPart<Dim>& part) {
+        if (part.count != Dim) return;
+        const Vector<Dim> normal = Space<Dim>::area_vector(part.corners()).normalized();
+        add(normal);
+        add(-normal);
+    }
+
+    double reach_;
+};
+
+/// Bodies whose boundaries share points, but which a shift by two tolerances would part: they
+/// touch. Of several ways to part, as corner and corner have, the one that they take soonest.
+template <int Dim>
+bool touch_within(const Body<Dim>& a, const Body<Dim>& b, double tolerance,
+                  ExactContact<Dim>& found) {
+    Normals<Dim> normals(tolerance);
+    const Placement<Dim> at_a = placement(a);
+    a.exact->visit_pairs(*b.exact, seen_from(at_a, placement(b)), normals);
+    for (Vector<Dim>& normal : normals.found) normal = at_a.rotation * normal;
+    const Vector<Dim> apart = b.velocity - a.velocity;
+    std::ranges::stable_sort(normals.found, std::ranges::greater{},
+                             [&](const Vector<Dim>& normal) { return normal.dot(apart); });
+    for (const Vector<Dim>& normal : normals.found) {
+        Body<Dim> shifted = b;
+        shifted.position += 2 * tolerance * normal;
+        if (exactly_overlap(a, shifted)) continue;
+        touch_now(a, shifted, 4 * tolerance, found);
+        found.a = a;
+        found.b = b;
+        return found.verdict == ExactVerdict::touched;
+    }
+    return false;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -61,7 +122,7 @@ ExactContact<Dim> exact_contact(const Body<Dim>& a, const Body<Dim>& b, double l
         found.b = reversed(found.b);
         return found;
     }
-    found.verdict = ExactVerdict::unresolved;
+    if (!touch_within(a, b, tolerance, found)) found.verdict = ExactVerdict::unresolved;
     return found;
 }
 

@@ -222,3 +222,30 @@ TEMPLATE_TEST_CASE_SIG("a frame cut anywhere plays again from its cut", "[finest
         }
     CHECK(partly > 0);
 }
+
+TEMPLATE_TEST_CASE_SIG("a box slides on over a row of tiles that it touches exactly", "[finest]",
+                       ((int Dim), Dim), 2, 3) {
+    for (const Finest level : {Finest::exact, Finest::backtrack})
+        for (const double speed : {2.0, -2.0, 0.5}) {
+            std::vector<Body<Dim>> bodies{square<Dim>({0, 1}, {speed, 0})};
+            for (int tile = -3; tile <= 3; ++tile) {
+                bodies.push_back(static_box<Dim>(1, 1, {static_cast<double>(tile), 0}));
+                bodies.back().tree = box_tree<Dim>(1, 1, 3);
+            }
+            run_frames<Dim>(bodies, settings_with(level), 60);
+            CAPTURE(speed);
+            CHECK((bodies[0].velocity - planar<Dim>(speed, 0)).norm() <= 1e-9);
+            CHECK(std::abs(bodies[0].position[1] - 1) <= 1e-9);
+        }
+}
+
+TEMPLATE_TEST_CASE_SIG("a box that slides into the corner of a floor and a wall is thrown back",
+                       "[finest]", ((int Dim), Dim), 2, 3) {
+    // It touches the floor exactly and meets the wall's foot: that is no corner to pass by.
+    std::vector<Body<Dim>> bodies{square<Dim>({0, 0.5}, {2, 0}), floor_box<Dim>(),
+                                  static_box<Dim>(1, 2, {1.5, 1})};
+    bodies[2].tree = box_tree<Dim>(1, 2, 4);
+    run_frames<Dim>(bodies, settings_with(Finest::backtrack), 60);
+    CHECK(bodies[0].velocity[0] <= -1.9);
+    CHECK(bodies[0].position[0] <= 0.5);
+}
