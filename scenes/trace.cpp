@@ -245,15 +245,18 @@ void write_trace(const std::filesystem::path& path, const std::string& scene,
     file.commit();
 }
 
-Trace read_trace(const std::filesystem::path& path) {
-    const std::string text = lod::read_text_file(path, most_bytes);
+Trace parse_trace(std::string_view text, const std::string& source) {
     try {
         return trace_from(Json::parse(text));
     } catch (const std::exception& error) {
         throw lod::Error(lod::ErrorKind::input_refused,
-                         path.string() + ": not a trace of lodlab: " + error.what() +
+                         source + ": not a trace of lodlab: " + error.what() +
                              "; write one with lodlab simulate --trace");
     }
+}
+
+Trace read_trace(const std::filesystem::path& path) {
+    return parse_trace(lod::read_text_file(path, most_bytes), path.string());
 }
 
 template <int Dim>

@@ -39,6 +39,8 @@ void write_trace(const std::filesystem::path& path, const std::string& scene,
 
 /// Throws lod::Error (input refused) when the file is no trace of this version.
 [[nodiscard]] Trace read_trace(const std::filesystem::path& path);
+/// The same from memory; `source` is what messages call it.
+[[nodiscard]] Trace parse_trace(std::string_view text, const std::string& source);
 
 /// Plays a trace again. Throws lod::Error (input refused) when the bodies are not those of the
 /// trace, or when a frame's bits differ, naming the frame. `options` gives the clock and the
