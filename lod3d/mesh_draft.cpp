@@ -7,6 +7,7 @@
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod3d/cut_polygon.hpp"
 #include "lodlab/lod3d/mesh_faults.hpp"
+#include "lodlab/lod3d/text_words.hpp"
 
 namespace lod3d {
 namespace {
@@ -45,6 +46,28 @@ void MeshDraft::add_vertex(const Point& p, std::uint64_t place) {
     vertices_.push_back(p);
     vertex_places_.push_back(place);
     tick();
+}
+
+void MeshDraft::note_digits(std::string_view word, double value) {
+    const double size = std::abs(value);
+    if (!(size > 0) || !std::isfinite(size) || 2 * size < largest_) return;
+    const WrittenDigits digits = digits_of(word);
+    const bool first = size > 2 * largest_;
+    significant_ = first ? digits.significant : std::max(significant_, digits.significant);
+    decimals_ = first ? digits.decimals : std::max(decimals_, digits.decimals);
+    largest_ = std::max(largest_, size);
+}
+
+/// The step between written coordinates next to each other [m]. 0 where it is fine enough for the
+/// mesh, and where few digits seem to be meant: a program that rounds writes six and more.
+double MeshDraft::written_step(const Mesh& mesh) const {
+    constexpr int rounded = 6;
+    constexpr double fine = 1e-6;  // of the size
+    if (significant_ < rounded) return 0;
+    double step = 1;
+    for (int i = std::min(decimals_, 40); i > 0; --i) step /= 10;
+    for (int i = std::max(decimals_, -40); i < 0; ++i) step *= 10;
+    return step > fine * bounding_box(mesh).size().maxCoeff() ? step : 0;
 }
 
 void MeshDraft::add_polygon(std::span<const std::int64_t> corners, std::uint64_t place) {
@@ -96,7 +119,7 @@ FileMesh MeshDraft::finish(const std::string& mend) {
         }
     }
     if (result.mesh.triangles.empty()) refuse("holds no triangles; " + mend);
-    result.step = coordinate_step(result.mesh, 53);
+    result.step = std::max(coordinate_step(result.mesh, 53), written_step(result.mesh));
     return result;
 }
 

@@ -23,6 +23,8 @@ class MeshDraft {
     MeshDraft(std::string name, std::size_t bytes, Numbering numbering, const ImportLimits& limits);
 
     void add_vertex(const Point& p, std::uint64_t place);
+    /// Remembers how finely the largest coordinates of a text are written.
+    void note_digits(std::string_view word, double value);
     /// Vertices count from 0 here. Fewer than three corners bound nothing and are left out.
     void add_polygon(std::span<const std::int64_t> corners, std::uint64_t place);
     [[nodiscard]] std::int64_t vertices() const {
@@ -60,6 +62,7 @@ class MeshDraft {
     [[noreturn]] void refuse_vertex(std::int64_t number, std::uint64_t place) const;
     void use_corners(const Polygon& polygon, std::span<const std::int32_t> corners, Mesh& mesh,
                      std::vector<std::int32_t>& number_of) const;
+    [[nodiscard]] double written_step(const Mesh& mesh) const;
 
     std::string name_;
     std::size_t bytes_;
@@ -72,6 +75,9 @@ class MeshDraft {
     std::vector<std::int32_t> corners_;
     std::vector<Polygon> polygons_;
     std::uint64_t triangles_ = 0;
+    double largest_ = 0;  ///< of the coordinates noted
+    int significant_ = 0;
+    int decimals_ = 0;
 };
 
 }  // namespace lod3d

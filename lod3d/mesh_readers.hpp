@@ -11,9 +11,10 @@ namespace lod3d {
 
 /// A mesh as its file holds it, in the file's frame.
 struct FileMesh {
-    Mesh mesh;                         ///< its vertices are those that triangles use, in that order
-    double step = 0;                   ///< between coordinates next to each other as its numbers
-                                       ///< can be, at the largest of them [m]
+    Mesh mesh;  ///< its vertices are those that triangles use, in that order
+    /// Between coordinates next to each other as its numbers can be, at the largest of them [m];
+    /// of a text: as its digits can be, where they are few for the mesh.
+    double step = 0;
     std::vector<std::string> remarks;  ///< what was taken otherwise than the file says
 };
 

@@ -50,6 +50,7 @@ class ObjReader {
                     draft_.refuse_at(words_.line(),
                                      "a vertex has " + in_quotes(word) + ", which is no number");
                 values[count] = value.value_or(1);
+                if (count < 3) draft_.note_digits(word, values[count]);
             }
             ++count;
         }
@@ -75,8 +76,8 @@ class ObjReader {
     std::int64_t corner(std::string_view word) {
         const auto index = integer_in(word.substr(0, word.find('/')));
         if (!index)
-            draft_.refuse_at(words_.line(),
-                             "a face has " + in_quotes(word) + ", which begins with no vertex index");
+            draft_.refuse_at(words_.line(), "a face has " + in_quotes(word) +
+                                                ", which begins with no vertex index");
         if (*index == 0)
             draft_.refuse_at(words_.line(),
                              "a face names the vertex index 0; OBJ numbers vertices from 1");

@@ -163,6 +163,7 @@ class OffReader {
             const auto value = number_in(word);
             if (!value) refuse(words, "a vertex has " + in_quotes(word) + ", which is no number");
             position[static_cast<std::size_t>(i)] = *value;
+            if (i < 3) draft.note_digits(word, *value);
         }
         draft.add_vertex(Point(position[0], position[1], position[2]) / position[3], line);
     }

@@ -55,6 +55,9 @@ class PlyValues {
         return 0;
     }
 
+    /// What the last number was read from; empty in a binary file.
+    [[nodiscard]] std::string_view last_word() const { return word_; }
+
     /// A whole number, such as a list's length or a vertex index.
     std::int64_t next_whole(PlyType type, const char* what) {
         const double value = next(type);
@@ -93,10 +96,10 @@ class PlyValues {
 
   private:
     double next_word() {
-        const std::string_view word = words_.next();
-        if (word.empty()) refuse_end();
-        const auto value = number_in(word);
-        if (!value) draft_.refuse_at(place(), in_quotes(word) + " stands where a number should");
+        word_ = words_.next();
+        if (word_.empty()) refuse_end();
+        const auto value = number_in(word_);
+        if (!value) draft_.refuse_at(place(), in_quotes(word_) + " stands where a number should");
         return *value;
     }
 
@@ -109,6 +112,7 @@ class PlyValues {
     const PlyHeader& header_;
     MeshDraft& draft_;
     std::size_t place_;
+    std::string_view word_;
 };
 
 class PlyReader {
@@ -132,7 +136,7 @@ class PlyReader {
         FileMesh file = draft_.finish(
             "it needs an element face, or tristrips, with a list of "
             "vertex indices");
-        file.step = coordinate_step(file.mesh, bits_);
+        file.step = std::max(file.step, coordinate_step(file.mesh, bits_));
         const std::string left = values_.left_over();
         if (!left.empty()) file.remarks.push_back(left);
         return file;
@@ -160,6 +164,8 @@ class PlyReader {
                     values_.skip(property);
                 else
                     row[p] = values_.next(property.type);
+                if (std::ranges::find(axis, p) != axis.end())
+                    draft_.note_digits(values_.last_word(), row[p]);
                 if (p == 0 && header_.format == PlyFormat::ascii) place = values_.place();
             }
             draft_.add_vertex({row[axis[0]], row[axis[1]], row[axis[2]]}, place);

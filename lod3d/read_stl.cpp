@@ -158,6 +158,7 @@ class StlTextReader {
                                      ? "the file ends within a vertex; is it cut short?"
                                      : "a vertex has " + in_quotes(word) + ", which is no number");
             p[d] = *value;
+            draft_.note_digits(word, *value);
         }
         corners_.push_back(draft_.vertices());
         draft_.add_vertex(p, line);

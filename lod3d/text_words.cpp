@@ -88,6 +88,24 @@ std::optional<double> number_in(std::string_view word) {
     return negative ? -value : value;
 }
 
+WrittenDigits digits_of(std::string_view word) {
+    constexpr int most = 400;  // decimals of a double
+    WrittenDigits digits;
+    bool after_point = false;
+    std::size_t at = 0;
+    for (; at < word.size() && word[at] != 'e' && word[at] != 'E'; ++at) {
+        if (word[at] == '.' || word[at] == ',') after_point = true;
+        if (word[at] < '0' || word[at] > '9') continue;
+        if (digits.significant > 0 || word[at] != '0') ++digits.significant;
+        if (after_point) ++digits.decimals;
+    }
+    const std::int64_t exponent =
+        at < word.size() ? integer_in(word.substr(at + 1)).value_or(0) : 0;
+    digits.decimals = static_cast<int>(std::clamp<std::int64_t>(
+        digits.decimals - std::clamp<std::int64_t>(exponent, -most, most), -most, most));
+    return digits;
+}
+
 std::optional<std::int64_t> integer_in(std::string_view word) {
     if (word.starts_with('+')) word.remove_prefix(1);
     std::int64_t value = 0;

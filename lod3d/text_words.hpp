@@ -39,6 +39,14 @@ class TextWords {
 /// comma; infinite beyond double's range, NaN for the ways in which programs write that.
 [[nodiscard]] std::optional<double> number_in(std::string_view word);
 
+/// How finely a number is written.
+struct WrittenDigits {
+    int significant = 0;  ///< from the first that is not 0
+    int decimals = 0;     ///< after the point, the exponent counted in: 2 for 0.25e0 and 25e-2
+};
+/// Requires: number_in(word).
+[[nodiscard]] WrittenDigits digits_of(std::string_view word);
+
 /// The whole number that a word is.
 [[nodiscard]] std::optional<std::int64_t> integer_in(std::string_view word);
 

@@ -26,9 +26,9 @@ Mesh turned_cube(double by) {
     return cube;
 }
 
-std::string all_digits(const Mesh& mesh, const std::string& format) {
+std::string all_digits(const Mesh& mesh, const std::string& format, int digits = 17) {
     std::ostringstream out;
-    out << std::setprecision(17);
+    out << std::setprecision(digits);
     const auto corner = [&](const Point& p) {
         out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
     };
@@ -96,6 +96,22 @@ TEST_CASE("32-bit numbers far away are said to hold few digits", "[far]") {
     } catch (const lod::Error& error) {
         CHECK_THAT(error.what(), contains("two equal corners") && contains("write more digits"));
     }
+}
+
+TEST_CASE("a text that writes few digits far away is said to hold few", "[far]") {
+    const Folder folder;
+    const auto remarks = [&](double by, int digits) {
+        std::string text = all_digits(turned_cube(by), "obj", digits);
+        return read_mesh(folder.write("few.obj", text)).remarks;
+    };
+    CHECK(remarks(0, 7).empty());
+    CHECK(remarks(1e4, 17).empty());
+    REQUIRE(remarks(1e4, 7).size() == 1);  // 9999.543 and 10000.12
+    CHECK_THAT(remarks(1e4, 7)[0], contains("are 0.001 m apart"));
+    const Mesh box = lod::make_from_spec(solid_generators(), "box:1,1,1");
+    Mesh meant = box;
+    for (Point& p : meant.vertices) p += Point::Constant(250);
+    CHECK(read_mesh(folder.write("few.obj", all_digits(meant, "obj", 17))).remarks.empty());
 }
 
 TEST_CASE("what assimp reads is said to be in 32-bit numbers", "[far]") {

@@ -47,6 +47,14 @@ TEST_CASE("a word is a number as a whole or none", "[readers]") {
         INFO(word);
         CHECK_FALSE(number_in(word));
     }
+    const auto digits = [](const char* word) {
+        return std::pair{digits_of(word).significant, digits_of(word).decimals};
+    };
+    CHECK(digits("-0.0250") == std::pair{3, 4});
+    CHECK(digits("500000") == std::pair{6, 0});
+    CHECK(digits("1.000000e+06") == std::pair{7, 0});
+    CHECK(digits("25E-2") == std::pair{2, 2});
+    CHECK(digits("1e99999999999") == std::pair{1, -400});
     CHECK(integer_in("-3") == -3);
     CHECK_FALSE(integer_in("3.0"));
     CHECK_FALSE(integer_in("99999999999999999999"));
