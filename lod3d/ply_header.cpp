@@ -88,7 +88,8 @@ class HeaderReader {
         const std::string_view count = words_.next_on_line();
         const auto value = integer_in(count);
         if (element.name.empty() || !value)
-            refuse_line("an element needs a name and a count, which " + in_quotes(count) + " is not");
+            refuse_line("an element needs a name and a count, which " + in_quotes(count) +
+                        " is not");
         if (*value < 0) draft_.refuse("the header promises a negative number of " + element.name);
         element.count = *value;
         add_to_size();

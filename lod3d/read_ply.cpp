@@ -122,7 +122,7 @@ class PlyReader {
 
     FileMesh read() {
         for (const PlyElement& element : header_.elements) {
-            if (element.properties.empty()) continue;  // takes no bytes
+            if (element.properties.empty() || element.count == 0) continue;  // takes no bytes
             if (element.name == "vertex")
                 read_vertices(element);
             else if (element.name == "face")

@@ -58,12 +58,8 @@ std::string faces(const std::string& before, const std::function<std::string(int
     return text;
 }
 
-std::string from_zero(int corner) {
-    return std::to_string(corner);
-}
-std::string from_one(int corner) {
-    return std::to_string(corner + 1);
-}
+const auto from_zero = [](int corner) { return std::to_string(corner); };
+const auto from_one = [](int corner) { return std::to_string(corner + 1); };
 
 /// The faces of an OBJ file turned over, each from the given corner of it on.
 std::string other_sides(std::size_t first) {
@@ -294,6 +290,10 @@ std::vector<Case> ply_odd_cases() {
     return {
         {"strips with restarts", "ply",
          strips_head + points() +
+             "29 0 2 1 3 -1 4 5 6 7 -1 0 1 4 5 -1 2 6 3 7 -1 0 4 2 6 -1 1 3 5 7\n",
+         24},
+        {"strips besides no faces", "ply",
+         replaced(strips_head, "element trist", "element face 0\nelement trist") + points() +
              "29 0 2 1 3 -1 4 5 6 7 -1 0 1 4 5 -1 2 6 3 7 -1 0 4 2 6 -1 1 3 5 7\n",
          24},
         {"one strip that doubles back", "ply", strips_head + points() + "4 0 2 1 3\n", 0,
