@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "lodlab/core/builder/enclosing_ball.hpp"
 #include "lodlab/core/error.hpp"
 
 namespace lod3d {
@@ -12,6 +13,20 @@ namespace {
 std::string text_of(double value) {
     char text[32];
     return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+/// A sphere of the body frame in that of the mesh. Where rounding moves its centre there further
+/// than the certificate has to spare, it is so much wider, and covers what it covered.
+lod::Sphere<3> moved(const lod::SphereTree<3>& tree, std::int32_t node, const Point& by) {
+    const lod::Sphere<3> ball = tree.sphere(node);
+    const Point centre = ball.centre + by;
+    Point lost;
+    for (int d = 0; d < 3; ++d) {  // exactly (Knuth's sum)
+        const double back = centre[d] - ball.centre[d];
+        lost[d] = (ball.centre[d] - (centre[d] - back)) + (by[d] - back);
+    }
+    const bool spared = lost.norm() <= lod::rounding_bound(tree.sphere(0)) / 4;
+    return {centre, ball.radius + (spared ? 0 : lost.norm())};
 }
 
 std::string listed(const Point& p, const std::string& between) {
@@ -54,8 +69,8 @@ std::string spheres_to_sph(const lod::SphereTree<3>& tree, const Point& centroid
             if (node == none) {
                 text += "0 0 0 0 0\n";
             } else {
-                const auto ball = tree.sphere(node);
-                text += listed(ball.centre + centroid, " ") + " " + text_of(ball.radius) + " 1\n";
+                const auto ball = moved(tree, node, centroid);
+                text += listed(ball.centre, " ") + " " + text_of(ball.radius) + " 1\n";
             }
             for (int c = 0; c < branching; ++c) {
                 const bool there = node != none && c < tree.child_count[tree.index(node)];
@@ -74,8 +89,8 @@ std::string spheres_to_json(const lod::SphereTree<3>& tree, const Point& centroi
                 ", \"spheres\": [";
         std::string between = "\n";
         for (const int node : tree.level_nodes(level)) {
-            const auto ball = tree.sphere(node);
-            text += between + "{\"centre\": [" + listed(ball.centre + centroid, ", ") +
+            const auto ball = moved(tree, node, centroid);
+            text += between + "{\"centre\": [" + listed(ball.centre, ", ") +
                     "], \"radius\": " + text_of(ball.radius) + "}";
             between = ",\n";
         }
@@ -89,8 +104,8 @@ std::string spheres_to_urdf(const lod::SphereTree<3>& tree, const Point& centroi
     std::string text =
         "<?xml version=\"1.0\"?>\n<robot name=\"" + escaped(name) + "\">\n  <link name=\"body\">\n";
     for (const int node : tree.level_nodes(level)) {
-        const auto ball = tree.sphere(node);
-        text += "    <collision><origin xyz=\"" + listed(ball.centre + centroid, " ") +
+        const auto ball = moved(tree, node, centroid);
+        text += "    <collision><origin xyz=\"" + listed(ball.centre, " ") +
                 "\"/><geometry><sphere radius=\"" + text_of(ball.radius) +
                 "\"/></geometry></collision>\n";
     }

@@ -150,8 +150,10 @@ Mesh fill_by_winding(const Mesh& mesh, int cells) {
         enclose(bounding_box(mesh), cells, [&](const Point& p) { return distance.inside(p); });
     if (filled.triangles.empty())
         throw lod::Error(lod::ErrorKind::input_refused,
-                         "the surface encloses nothing at " + std::to_string(cells) +
-                             " cells; give a closed mesh, or fill with more cells");
+                         "filled by winding number, on a grid of " + std::to_string(cells) +
+                             " cells, the surface encloses nothing: it is too thin or too open, or "
+                             "its two sides cancel each other; close it, and keep its outer side "
+                             "only");
     return filled;
 }
 

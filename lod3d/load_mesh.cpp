@@ -1,282 +1,126 @@
-// The only file that knows assimp.
 #include "lodlab/lod3d/load_mesh.hpp"
 
-#include <assimp/DefaultIOSystem.h>
-#include <assimp/importerdesc.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <assimp/BaseImporter.h>
-#include <assimp/Importer.hpp>
-#include <chrono>
-#include <csignal>
-#include <cstring>
+#include <array>
 #include <fstream>
-#include <sstream>
 
 #include "lodlab/core/error.hpp"
+#include "lodlab/lod3d/import_scene.hpp"
+#include "lodlab/lod3d/mesh_faults.hpp"
+#include "lodlab/lod3d/text_words.hpp"
 
 namespace lod3d {
 namespace {
 
 namespace fs = std::filesystem;
 
-// ---- in the child ----
+using Reader = FileMesh (*)(std::string_view, const std::string&, const ImportLimits&);
 
-/// Opens files of one folder, and of those below it, only.
-class FolderOnly final : public Assimp::IOSystem {
-  public:
-    explicit FolderOnly(const fs::path& folder) : folder_(fs::weakly_canonical(folder)) {}
-
-    [[nodiscard]] bool Exists(const char* file) const override { return files_.Exists(file); }
-    [[nodiscard]] char getOsSeparator() const override { return files_.getOsSeparator(); }
-    void Close(Assimp::IOStream* stream) override { files_.Close(stream); }
-
-    Assimp::IOStream* Open(const char* file, const char* mode) override {
-        const fs::path path = fs::weakly_canonical(file);
-        const auto differ = std::mismatch(folder_.begin(), folder_.end(), path.begin(), path.end());
-        if (differ.first != folder_.end()) return nullptr;
-        std::error_code error;
-        if (!fs::is_regular_file(path, error)) return nullptr;
-        return files_.Open(file, mode);
-    }
-
-  private:
-    fs::path folder_;
-    Assimp::DefaultIOSystem files_;
+struct Format {
+    std::string_view ending;
+    Reader read;  ///< null: assimp reads it
 };
 
-/// Leaves only the importers that read the ending, so that none is chosen by guessing.
-void keep_importers_of(Assimp::Importer& importer, const std::string& ending) {
-    for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-        std::istringstream endings(importer.GetImporterInfo(i)->mFileExtensions);
-        bool reads = false;
-        for (std::string known; endings >> known;) reads |= known == ending;
-        if (!reads) importer.UnregisterLoader(importer.GetImporter(i));
-    }
+constexpr std::array<Format, 7> formats{{{"obj", read_obj},
+                                         {"ply", read_ply},
+                                         {"stl", read_stl},
+                                         {"off", read_off},
+                                         {"3ds", nullptr},
+                                         {"gltf", nullptr},
+                                         {"glb", nullptr}}};
+
+const Format* format_of(std::string_view ending) {
+    for (const Format& format : formats)
+        if (format.ending == ending) return &format;
+    return nullptr;
 }
 
-void add_mesh(const aiMesh& from, const aiMatrix4x4& pose, Mesh& mesh) {
-    const auto first = static_cast<std::int32_t>(mesh.vertices.size());
-    for (unsigned v = 0; v < from.mNumVertices; ++v) {
-        const aiVector3D at = pose * from.mVertices[v];
-        mesh.vertices.emplace_back(at.x, at.y, at.z);
-    }
-    for (unsigned f = 0; f < from.mNumFaces; ++f) {
-        const aiFace& face = from.mFaces[f];
-        if (face.mNumIndices != 3) continue;  // points and lines bound nothing
-        Triangle triangle;
-        for (unsigned k = 0; k < 3; ++k)  // an index beyond the mesh stays beyond all vertices
-            triangle[k] = face.mIndices[k] < from.mNumVertices
-                              ? first + static_cast<std::int32_t>(face.mIndices[k])
-                              : -1;
-        mesh.triangles.push_back(triangle);
-    }
+std::string ending_of(const fs::path& path) {
+    std::string ending = path.extension().string();
+    if (!ending.empty()) ending.erase(0, 1);
+    for (char& c : ending)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return ending;
 }
 
-Mesh import_scene(const fs::path& path, const std::string& ending) {
-    Assimp::Importer importer;
-    importer.SetIOHandler(new FolderOnly(fs::absolute(path).parent_path()));
-    keep_importers_of(importer, ending);
-    const aiScene* scene = importer.ReadFile(fs::absolute(path).string(), aiProcess_Triangulate);
-    if (!scene) {
-        const std::string why = importer.GetErrorString();
-        if (why.find("bad_alloc") != std::string::npos) throw std::bad_alloc();
-        throw std::runtime_error(why);
-    }
-    Mesh mesh;
-    struct Waiting {
-        const aiNode* node;
-        aiMatrix4x4 pose;
+/// The size of a file that may be read [bytes].
+std::uint64_t checked_size(const SceneFile& file, const ImportLimits& limits) {
+    std::error_code error;
+    const auto status = fs::status(file.path, error);
+    if (!fs::exists(status)) lod::refuse_input(file.name, "no such file");
+    if (!fs::is_regular_file(status)) lod::refuse_input(file.name, "is no regular file");
+    if (!format_of(file.ending))
+        lod::refuse_input(file.name,
+                          "no mesh format that is read; give obj, ply, stl, off, 3ds, gltf or glb");
+    const std::uint64_t size = fs::file_size(file.path, error);
+    if (error) lod::refuse_input(file.name, error.message());
+    if (size == 0) lod::refuse_input(file.name, "is empty");
+    if (size > limits.most_bytes)
+        throw lod::Error(lod::ErrorKind::limit_exceeded,
+                         file.name + ": " + std::to_string(size) +
+                             " bytes, more than the limit of " + std::to_string(limits.most_bytes) +
+                             "; simplify the mesh or raise the limit");
+    return size;
+}
+
+std::string bytes_of(const SceneFile& file, std::uint64_t size) {
+    std::ifstream in(file.path, std::ios::binary);
+    std::string bytes(static_cast<std::size_t>(size), '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    if (!in) lod::refuse_input(file.name, "cannot be read");
+    return bytes;
+}
+
+/// Refuses a file that begins as those of another format do.
+void check_beginning(std::string_view bytes, const SceneFile& file) {
+    const auto refuse = [&](const std::string& format) {
+        lod::refuse_input(file.name, "begins as a file of the format " + format +
+                                         " does; if it is one, let its name end in ." + format);
     };
-    std::vector<Waiting> waiting;
-    if (scene->mRootNode) waiting.push_back({scene->mRootNode, aiMatrix4x4()});
-    while (!waiting.empty()) {
-        const auto [node, above] = waiting.back();
-        waiting.pop_back();
-        const aiMatrix4x4 pose = above * node->mTransformation;
-        for (unsigned m = 0; m < node->mNumMeshes; ++m)
-            add_mesh(*scene->mMeshes[node->mMeshes[m]], pose, mesh);
-        for (unsigned c = 0; c < node->mNumChildren; ++c)
-            waiting.push_back({node->mChildren[c], pose});
-    }
-    return mesh;
+    const std::string_view first = TextWords(bytes.substr(0, 64), TextWords::Comments::none).next();
+    if (first == "ply" && file.ending != "ply") refuse("ply");
+    if (first.ends_with("OFF") && file.ending != "off") refuse("off");
+    if (bytes.starts_with("glTF") && file.ending != "glb") refuse("glb");
 }
 
-void send(int pipe, const void* bytes, std::size_t count) {
-    const char* at = static_cast<const char*>(bytes);
-    while (count > 0) {
-        const ssize_t sent = write(pipe, at, count);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) _exit(1);
-        at += sent;
-        count -= static_cast<std::size_t>(sent);
-    }
+/// Says where neighbouring numbers of the file are so far apart that the mesh shows it, and would
+/// show it less nearer to the origin.
+void remark_on_digits(FileMesh& file) {
+    const Box box = bounding_box(file.mesh);
+    const double longest = box.size().maxCoeff();
+    const double farthest = std::max(box.low.cwiseAbs().maxCoeff(), box.high.cwiseAbs().maxCoeff());
+    constexpr double shows = 5e-10;  // of the size
+    if (!(farthest > longest) || !(file.step > shows * longest)) return;
+    file.remarks.push_back(
+        "stands far from the origin, where the numbers of its file are " + in_digits(file.step, 2) +
+        " m apart, " + in_digits(file.step / longest, 2) +
+        " of its size: its shape, and all that is computed of it, holds to that; move it to the "
+        "origin where it is made");
 }
-
-/// What the child says first: a mesh of these counts follows, or a refusal of `vertices` letters.
-struct Announcement {
-    enum Kind : std::uint64_t { mesh, refusal, out_of_memory } kind;
-    std::uint64_t vertices;
-    std::uint64_t triangles;
-};
-
-void send_refusal(int pipe, Announcement::Kind kind, std::string why) {
-    for (char& c : why)
-        if (c == '\n' || c == '\r') c = ' ';
-    const Announcement says{kind, why.size(), 0};
-    send(pipe, &says, sizeof says);
-    send(pipe, why.data(), why.size());
-}
-
-void limit_resources(const ImportLimits& limits) {
-    const rlim_t seconds = static_cast<rlim_t>(limits.most_seconds) + 2;
-    const rlimit cpu{seconds, seconds};
-    setrlimit(RLIMIT_CPU, &cpu);
-    const rlimit no_core{0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#if defined(__has_feature)
-#define LOD3D_SANITIZED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
-#else
-#define LOD3D_SANITIZED 0
-#endif
-#if !LOD3D_SANITIZED  // sanitizers map terabytes that they never touch
-    std::uint64_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    const rlim_t bytes = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + limits.most_memory;
-    const rlimit memory{bytes, bytes};
-    setrlimit(RLIMIT_AS, &memory);
-#endif
-#endif
-}
-
-[[noreturn]] void run_child(int pipe, const fs::path& path, const std::string& ending,
-                            const ImportLimits& limits) {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    try {
-        limit_resources(limits);
-        const Mesh mesh = import_scene(path, ending);
-        const Announcement says{Announcement::mesh, mesh.vertices.size(), mesh.triangles.size()};
-        send(pipe, &says, sizeof says);
-        send(pipe, mesh.vertices.data(), mesh.vertices.size() * sizeof(Point));
-        send(pipe, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
-    } catch (const std::bad_alloc&) {
-        send_refusal(pipe, Announcement::out_of_memory, "");
-    } catch (const std::exception& error) {
-        send_refusal(pipe, Announcement::refusal, error.what());
-    } catch (...) {
-        send_refusal(pipe, Announcement::refusal, "the importer failed");
-    }
-    _exit(0);
-}
-
-// ---- in the parent ----
-
-/// The child and the pipe from it; ends both, whatever happens.
-class Child {
-  public:
-    Child(const fs::path& path, const std::string& ending, const ImportLimits& limits)
-        : path_(path),
-          limits_(limits),
-          deadline_(std::chrono::steady_clock::now() +
-                    std::chrono::milliseconds(static_cast<long>(1000 * limits.most_seconds))) {
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0) refuse(std::strerror(errno));
-        process_ = fork();
-        if (process_ == 0) run_child(ends[1], path, ending, limits);
-        close(ends[1]);
-        pipe_ = ends[0];
-        if (process_ < 0) refuse(std::strerror(errno));
-    }
-    ~Child() {
-        close(pipe_);
-        if (process_ <= 0) return;
-        kill(process_, SIGKILL);
-        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-        }
-    }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-
-    void receive(void* bytes, std::size_t count) {
-        char* at = static_cast<char*>(bytes);
-        while (count > 0) {
-            await();
-            const ssize_t got = read(pipe_, at, count);
-            if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) refuse("the importer broke down on it");
-            at += got;
-            count -= static_cast<std::size_t>(got);
-        }
-    }
-
-    [[noreturn]] void refuse(const std::string& why) const {
-        throw lod::Error(lod::ErrorKind::input_refused, path_.string() + ": " + why);
-    }
-    [[noreturn]] void exceed(const std::string& why) const {
-        throw lod::Error(lod::ErrorKind::limit_exceeded, path_.string() + ": " + why);
-    }
-
-  private:
-    /// Until there is something to read. An interruption is noticed within a tenth of a second.
-    void await() const {
-        for (;;) {
-            lod::check_interrupted();
-            if (std::chrono::steady_clock::now() >= deadline_)
-                exceed("reading it took longer than the limit of " +
-                       std::to_string(static_cast<long>(limits_.most_seconds)) + " s");
-            pollfd waiting{pipe_, POLLIN, 0};
-            if (poll(&waiting, 1, 100) > 0) return;
-        }
-    }
-
-    fs::path path_;
-    const ImportLimits& limits_;
-    std::chrono::steady_clock::time_point deadline_;
-    pid_t process_ = -1;
-    int pipe_ = -1;
-};
 
 }  // namespace
 
-Mesh load_mesh(const fs::path& path, const ImportLimits& limits) {
-    check_declared_counts(path, limits);
-    std::string ending = path.extension().string().substr(1);
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    Child child(path, ending, limits);
-    Announcement says{};
-    child.receive(&says, sizeof says);
-    if (says.kind == Announcement::out_of_memory)
-        child.exceed("reading it took more than the limit of " +
-                     std::to_string(limits.most_memory >> 20) + " MB");
-    if (says.kind == Announcement::refusal) {
-        std::string why(std::min<std::uint64_t>(says.vertices, 500), ' ');
-        child.receive(why.data(), why.size());
-        child.refuse(why);
+bool is_mesh_format(const std::string& ending) {
+    return format_of(ending) != nullptr;
+}
+
+FileMesh read_mesh(const fs::path& path, const ImportLimits& limits, const std::string& name) {
+    const SceneFile from{path, name.empty() ? path.string() : name, ending_of(path)};
+    const std::uint64_t size = checked_size(from, limits);
+    const Format& format = *format_of(from.ending);
+    FileMesh file;
+    if (format.read) {
+        const std::string bytes = bytes_of(from, size);
+        check_beginning(bytes, from);
+        file = format.read(bytes, from.name, limits);
+    } else {
+        file = import_scene(from, limits);
     }
-    if (says.triangles > limits.most_triangles || says.vertices > 3 * limits.most_triangles)
-        child.exceed(std::to_string(says.triangles) + " triangles and " +
-                     std::to_string(says.vertices) + " vertices, more than the limit of " +
-                     std::to_string(limits.most_triangles) +
-                     " triangles; simplify the mesh or raise the limit");
-    if (says.triangles == 0) child.refuse("holds no triangles");
-    Mesh mesh;
-    mesh.vertices.resize(says.vertices);
-    mesh.triangles.resize(says.triangles);
-    child.receive(mesh.vertices.data(), mesh.vertices.size() * sizeof(Point));
-    child.receive(mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
-    return mesh;
+    remark_on_digits(file);
+    return file;
+}
+
+Mesh load_mesh(const fs::path& path, const ImportLimits& limits) {
+    return read_mesh(path, limits).mesh;
 }
 
 }  // namespace lod3d

@@ -2,20 +2,25 @@
 
 #include <filesystem>
 
-#include "lodlab/lod3d/import_limits.hpp"
-#include "lodlab/lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh_readers.hpp"
 
 namespace lod3d {
 
 /// Reads all triangles of an OBJ, PLY, STL, OFF, 3DS or glTF file, polygons cut into triangles,
-/// placed as the file's scene places them. Not welded or checked: that is make_solid's.
+/// placed as the file's scene places them. Not welded or checked for more than numbers: that is
+/// make_solid's. The format is the one that the ending names.
 ///
-/// The importer (assimp) runs in a child process under limits of memory and time, and hands the
-/// triangles back through a pipe: a file that hangs it, crashes it or blows it up costs a refusal.
-/// It opens no file outside the folder of the one that is named.
+/// OBJ, PLY, STL and OFF arrive in double, as they are written. 3DS and glTF come through assimp in
+/// 32-bit numbers (import_scene.hpp), and a remark says so; so does one where a mesh stands so far
+/// from the origin that its numbers hold fewer digits of it than they could.
 ///
+/// `name`: what refusals call the file; the path where it is empty.
 /// Throws lod::Error: input refused (missing, unreadable, unknown format, broken, no triangles),
 /// limit exceeded.
+[[nodiscard]] FileMesh read_mesh(const std::filesystem::path& path, const ImportLimits& limits = {},
+                                 const std::string& name = "");
+
+/// The mesh alone.
 [[nodiscard]] Mesh load_mesh(const std::filesystem::path& path, const ImportLimits& limits = {});
 
 }  // namespace lod3d

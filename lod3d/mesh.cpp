@@ -15,11 +15,11 @@ std::size_t as_index(std::int32_t i) {
     return static_cast<std::size_t>(i);
 }
 
-bool usable(const Point& p) {
+}  // namespace
+
+bool is_usable(const Point& p) {
     return p.allFinite() && p.cwiseAbs().maxCoeff() <= 1e100;
 }
-
-}  // namespace
 
 Box bounding_box(const Mesh& mesh) {
     Box box;
@@ -32,11 +32,6 @@ void check_numbers(const Mesh& mesh) {
         throw lod::Error(lod::ErrorKind::input_refused, why);
     };
     if (mesh.triangles.empty()) refuse("the mesh has no triangles");
-    const auto bad_points = std::count_if(mesh.vertices.begin(), mesh.vertices.end(),
-                                          [](const Point& p) { return !usable(p); });
-    if (bad_points > 0)
-        refuse(std::to_string(bad_points) + " of " + std::to_string(mesh.vertices.size()) +
-               " vertices are not finite or beyond 1e100");
     const auto count = static_cast<std::int32_t>(mesh.vertices.size());
     std::int64_t astray = 0;
     for (const Triangle& t : mesh.triangles)
@@ -45,6 +40,14 @@ void check_numbers(const Mesh& mesh) {
     if (astray > 0)
         refuse(std::to_string(astray) + " vertex numbers are out of range; the mesh has " +
                std::to_string(count) + " vertices");
+    std::vector<char> bad(mesh.vertices.size(), 0);
+    for (const Triangle& t : mesh.triangles)
+        for (const std::int32_t v : t) bad[as_index(v)] = !is_usable(mesh.vertices[as_index(v)]);
+    const auto first = std::find(bad.begin(), bad.end(), 1);
+    if (first != bad.end())
+        refuse(std::to_string(std::count(first, bad.end(), 1)) + " of " + std::to_string(count) +
+               " vertices are not finite or beyond 1e100, the first is number " +
+               std::to_string(first - bad.begin()) + ", counted from 0; mend their coordinates");
 }
 
 namespace {
@@ -99,6 +102,8 @@ int drop_duplicates(Mesh& mesh) {
     return static_cast<int>(dropped);
 }
 
+}  // namespace
+
 int drop_unused_vertices(Mesh& mesh) {
     std::vector<std::int32_t> renumbered(mesh.vertices.size(), -1);
     for (const Triangle& t : mesh.triangles)
@@ -116,9 +121,8 @@ int drop_unused_vertices(Mesh& mesh) {
     return dropped;
 }
 
-}  // namespace
-
 Welded weld(Mesh& mesh, double tolerance) {
+    const int unused = drop_unused_vertices(mesh);  // they may hold what has no order
     const std::vector<std::int32_t> into = merged_with(mesh.vertices, tolerance);
     for (Triangle& t : mesh.triangles)
         for (std::int32_t& v : t) v = into[as_index(v)];
@@ -128,7 +132,7 @@ Welded weld(Mesh& mesh, double tolerance) {
     Welded result;
     result.collapsed = static_cast<int>(collapsed);
     result.duplicates = drop_duplicates(mesh);
-    result.vertices = drop_unused_vertices(mesh);
+    result.vertices = unused + drop_unused_vertices(mesh);
     return result;
 }
 

@@ -24,12 +24,20 @@ struct Mesh {
 
 using Box = lod::Box<3>;
 
+/// Whether a point's coordinates are finite and within 1e100.
+[[nodiscard]] bool is_usable(const Point& p);
+
 /// The box of all vertices. Requires: at least one vertex.
 [[nodiscard]] Box bounding_box(const Mesh& mesh);
 
-/// Throws lod::Error (input refused) that says how many coordinates are not finite or beyond 1e100,
-/// and how many indices point nowhere; or that there are no triangles.
+/// Throws lod::Error (input refused) that says how many vertices are not finite or beyond 1e100 and
+/// which is the first, and how many indices point nowhere; or that there are no triangles. Vertices
+/// that no triangle uses may hold anything.
 void check_numbers(const Mesh& mesh);
+
+/// Drops the vertices that no triangle uses; the others keep their order. Returns how many went.
+/// Requires: indices within range.
+int drop_unused_vertices(Mesh& mesh);
 
 /// What weld() took away.
 struct Welded {
@@ -48,6 +56,7 @@ struct BadEdges {
     int open = 0;      ///< one triangle only
     int crowded = 0;   ///< more triangles than can be matched two by two: odd, or turned alike
     int reversed = 0;  ///< two triangles that pass it in the same direction
+    std::array<std::int32_t, 2> first{};  ///< the vertices of one of them
     [[nodiscard]] bool none() const { return open == 0 && crowded == 0 && reversed == 0; }
 };
 [[nodiscard]] BadEdges find_bad_edges(const Mesh& mesh);

@@ -98,6 +98,7 @@ class TurnedSets {
 BadEdges find_bad_edges(const Mesh& mesh) {
     BadEdges bad;
     each_edge(sorted_sides(mesh), [&](auto first, auto last) {
+        const BadEdges before = bad;
         const auto count = last - first;
         const auto upwards =
             std::count_if(first, last, [](const Side& side) { return side.upwards; });
@@ -105,6 +106,7 @@ BadEdges find_bad_edges(const Mesh& mesh) {
             ++bad.open;
         else if (2 * upwards != count)
             ++(count == 2 ? bad.reversed : bad.crowded);
+        if (before.none() && !bad.none()) bad.first = {first->low, first->high};
     });
     return bad;
 }

@@ -5,13 +5,10 @@
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod3d/fill.hpp"
 #include "lodlab/lod3d/intersect.hpp"
+#include "lodlab/lod3d/mesh_faults.hpp"
 
 namespace lod3d {
 namespace {
-
-std::string counted(long count, const std::string& what) {
-    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 void close_gaps(Mesh& mesh, std::vector<std::string>& mended) {
     const auto said = [&](const Welded& welded) {
@@ -38,18 +35,6 @@ void turn_alike(Mesh& mesh, std::vector<std::string>& mended) {
     if (find_bad_edges(turned).reversed > 0) return;
     mesh = std::move(turned);
     mended.emplace_back("turned " + counted(changed, "triangle") + " to agree with the neighbours");
-}
-
-std::string describe(const BadEdges& bad) {
-    std::string text;
-    const auto add = [&](int count, const std::string& what) {
-        if (count == 0) return;
-        text += (text.empty() ? "" : ", ") + counted(count, "edge") + " " + what;
-    };
-    add(bad.open, "with one triangle only");
-    add(bad.crowded, "with triangles that don't pair up");
-    add(bad.reversed, "between triangles turned against each other");
-    return text;
 }
 
 /// How often the surface winds around the space just behind and just before a part.
@@ -108,47 +93,98 @@ bool turn_outwards(Mesh& mesh, std::vector<std::string>& mended) {
     return overlapping;
 }
 
+Mesh filled(const Mesh& mesh, const SolidOptions& options) {
+    try {
+        return fill_by_winding(mesh, options.fill_cells);
+    } catch (const lod::Error& error) {
+        lod::refuse_input(options.source, error.what());
+    }
+}
+
+/// Where a mesh is brought near to the origin: on each axis on which it lies several of its lengths
+/// away its middle, else 0. Taking it off the vertices loses no bit (Sterbenz).
+Point far_middle(const Box& box) {
+    const Point middle = 0.5 * (box.low + box.high);
+    const double longest = box.size().maxCoeff();
+    Point far = Point::Zero();
+    for (int d = 0; d < 3; ++d)
+        if (std::abs(middle[d]) > 4 * longest) far[d] = middle[d];
+    return far;
+}
+
+/// Moves a mesh near to the origin and gives it its size. Returns what was taken off after that.
+Point bring_near(Mesh& mesh, const std::optional<double>& longest_side) {
+    const Box box = bounding_box(mesh);
+    Point moved = far_middle(box);
+    for (Point& p : mesh.vertices) p -= moved;
+    const double longest = box.size().maxCoeff();
+    if (!longest_side || !(longest > 0)) return moved;
+    const double scale = *longest_side / longest;
+    for (Point& p : mesh.vertices) p *= scale;
+    return scale * moved;
+}
+
+/// Closes and turns what can be; refuses what then still bounds no solid, unless it may be filled.
+void mend(Mesh& mesh, const Point& moved, const SolidOptions& options, Solid& solid) {
+    const std::string& source = options.source;
+    close_gaps(mesh, solid.mended);
+    if (mesh.triangles.empty())
+        lod::refuse_input(
+            source, "every triangle has two equal corners, all near " + place_in_words(moved) +
+                        "; if it is small and far from the origin, move it there where it "
+                        "is made, or write more digits");
+    const int doubled = drop_other_sides(mesh);
+    turn_alike(mesh, solid.mended);
+    const BadEdges bad = find_bad_edges(mesh);
+    const std::string sides =
+        doubled > 0 ? "its faces are doubled, each is there twice, turned both ways; " : "";
+    if (!bad.none() && !options.fill)
+        lod::refuse_input(source, "the mesh does not bound a solid: " + sides +
+                                      describe(bad, mesh, moved) +
+                                      "; mend it, or fill it by winding number (--fill, in a scene "
+                                      "fill = true)");
+    if (doubled > 0)
+        solid.mended.emplace_back("dropped " + counted(doubled, "triangle") +
+                                  " that doubled others, turned the other way");
+    if (bad.none()) return;
+    solid.mended.emplace_back("filled by winding number: " + describe(bad, mesh, moved));
+    mesh = filled(mesh, options);
+    solid.approximate = true;
+}
+
 }  // namespace
 
-Solid make_solid(std::string name, Mesh mesh, const SolidOptions& options) {
+Solid make_solid(std::string name, Mesh mesh, const SolidOptions& given) {
+    SolidOptions options = given;
+    if (options.source.empty()) options.source = name;
     try {
         check_numbers(mesh);
     } catch (const lod::Error& error) {
-        lod::refuse_input(name, error.what());
+        lod::refuse_input(options.source, error.what());
     }
+    drop_unused_vertices(mesh);
+    const Point moved = bring_near(mesh, options.longest_side);
     Solid solid;
     solid.name = std::move(name);
-    close_gaps(mesh, solid.mended);
-    if (mesh.triangles.empty())
-        lod::refuse_input(solid.name, "every triangle has two equal corners");
-    turn_alike(mesh, solid.mended);
+    mend(mesh, moved, options, solid);
 
-    const BadEdges bad = find_bad_edges(mesh);
-    if (!bad.none() && !options.fill)
-        lod::refuse_input(solid.name, "the mesh does not bound a solid: " + describe(bad) +
-                                          "; mend it, or fill it by winding number (option fill)");
-    if (!bad.none()) {
-        mesh = fill_by_winding(mesh, options.fill_cells);
-        solid.approximate = true;
-        solid.mended.emplace_back("filled by winding number: " + describe(bad));
-    }
     const bool overlapping = turn_outwards(mesh, solid.mended);
     Integrals of = integrate(mesh);
-    const Box box = bounding_box(mesh);
-    const double longest = box.size().maxCoeff();
+    const double longest = bounding_box(mesh).size().maxCoeff();
     if (!(of.volume > 1e-12 * longest * longest * longest))
-        lod::refuse_input(solid.name, "the mesh bounds no volume; is it flat?");
+        lod::refuse_input(options.source, why_no_volume(mesh, moved));
     if (overlapping) {
-        of = integrate(fill_by_winding(mesh, options.fill_cells));
+        of = integrate(filled(mesh, options));
         solid.approximate = true;
         solid.inside_rule = InsideRule::winding;
         solid.mended.emplace_back(
             "parts touch or overlap: volume, centre and inertia are of their union on a grid");
     }
-    for (Point& p : mesh.vertices) p -= of.centroid;
+    solid.centroid = of.centroid + moved;  // rounded as doubles are there
+    const Point centre = solid.centroid - moved;
+    for (Point& p : mesh.vertices) p -= centre;
     solid.mesh = std::move(mesh);
     solid.volume = of.volume;
-    solid.centroid = of.centroid;
     solid.second_moment = of.inertia;
     return solid;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,20 +22,27 @@ struct Solid {
 };
 
 struct SolidOptions {
-    bool fill = false;    ///< take open and non-manifold meshes, filled by winding number
-    int fill_cells = 64;  ///< cubes along the longest side, where something is filled
+    bool fill = false;        ///< take open and non-manifold meshes, filled by winding number
+    int fill_cells = 64;      ///< cubes along the longest side, where something is filled
+    std::string source = {};  ///< what refusals call it, such as the file; the name where empty
+    std::optional<double> longest_side = {};  ///< that its box shall have [m]; nothing: as it is
 };
 
 /// Welds, checks and orients a mesh, centres it on its centre of mass and takes its integrals.
 ///
+/// A mesh far from the origin is worked on near to it: it is moved there without loss, so that the
+/// solid holds every digit that the mesh holds. The body frame is that of the source, moved by the
+/// centroid, to the bit.
+///
 /// Vertices with equal coordinates are merged; where that leaves open edges, those within 1e-6 of
 /// the box's longest side. Triangles that disagree with their neighbours and parts that are
-/// inside-out are turned; a shell within a shell that faces it is a cavity. Where closed parts
-/// overlap, the solid is their union: its surface keeps the hidden triangles, and the integrals are
-/// those of the union filled on a grid, marked approximate.
+/// inside-out are turned; of triangles that are all there twice, turned both ways, one each is
+/// kept; a shell within a shell that faces it is a cavity. Where closed parts overlap, the solid is
+/// their union: its surface keeps the hidden triangles, and the integrals are those of the union
+/// filled on a grid, marked approximate.
 ///
-/// Throws lod::Error: input refused, with the counts of bad edges, where the mesh does not bound a
-/// solid of positive volume.
+/// Throws lod::Error: input refused, with the counts of bad edges and the place of the first, where
+/// the mesh does not bound a solid of positive volume.
 [[nodiscard]] Solid make_solid(std::string name, Mesh mesh, const SolidOptions& options = {});
 
 }  // namespace lod3d

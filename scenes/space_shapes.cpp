@@ -28,17 +28,17 @@ bool is_generator(const std::string& spec) {
 }
 
 /// The shape's triangles in the frame of their source.
-lod3d::Mesh mesh_of(const std::string& spec, double raise_limits) {
-    if (is_generator(spec)) return lod::make_from_spec(lod3d::solid_generators(), spec);
+lod3d::FileMesh mesh_of(const std::string& spec, double raise_limits) {
+    if (is_generator(spec)) return {lod::make_from_spec(lod3d::solid_generators(), spec), 0, {}};
     if (looks_like_file(spec) && ending_of(spec) != "svg")
-        return lod3d::load_mesh(in_package(spec) ? package_file(spec).string() : spec,
-                                limits_raised(raise_limits));
+        return lod3d::read_mesh(in_package(spec) ? package_file(spec).string() : spec,
+                                limits_raised(raise_limits), spec);
     if (lod2d::names_shape(spec))
         throw lod::Error(lod::ErrorKind::usage,
                          spec + " is a shape of the plane, and this is space; name a mesh (" +
                              std::string(SpaceShapes::words.files) +
                              ") or a generator of space, which lodlab tree --list shows");
-    return lod::make_from_spec(lod3d::solid_generators(), spec);  // throws with the names there are
+    return {lod::make_from_spec(lod3d::solid_generators(), spec), 0, {}};  // throws: no such
 }
 
 lod3d::Pose pose_of(const lod::Body<3>& body) {
@@ -58,19 +58,16 @@ bool any_inside(const SpaceShapes::Border& a, const lod::Body<3>& body_a,
 }  // namespace
 
 SpaceShapes::Shape SpaceShapes::named(const std::string& spec, const ShapeChoice& choice) {
-    lod3d::Mesh mesh = mesh_of(spec, choice.raise_limits);
-    if (choice.size && !mesh.vertices.empty()) {
-        lod3d::check_numbers(mesh);
-        const lod3d::Box box = lod3d::bounding_box(mesh);
-        const double side = (box.high - box.low).maxCoeff();
-        if (side > 0)
-            for (lod3d::Point& p : mesh.vertices) p *= *choice.size / side;
-    }
+    lod3d::FileMesh file = mesh_of(spec, choice.raise_limits);
     const std::string name =
         is_generator(spec) ? spec : std::filesystem::path(spec).stem().string();
     lod3d::SolidOptions options;
+    options.source = spec;
+    options.longest_side = choice.size;
     options.fill = choice.fill;
-    return lod3d::make_solid(name, std::move(mesh), options);
+    Shape shape = lod3d::make_solid(name, std::move(file.mesh), options);
+    shape.mended.insert(shape.mended.begin(), file.remarks.begin(), file.remarks.end());
+    return shape;
 }
 
 SpaceShapes::Shape SpaceShapes::half_space() {

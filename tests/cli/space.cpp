@@ -1,6 +1,7 @@
 // The program in space: the same commands, keys and refusals as in the plane.
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "lodlab/core/output_file.hpp"
@@ -91,7 +92,9 @@ TEST_CASE("an open mesh is refused, or filled and marked as approximate") {
     const std::string file = scratch.write("open.obj", open_corner);
     const std::vector<std::string> command{"tree",    file, "--builder", "octree",
                                            "--depth", "1",  "--json"};
-    check_failure(command, 3, "3 edges with one triangle only; mend it, or fill it");
+    check_failure(command, 3,
+                  "open.obj: the mesh does not bound a solid: 3 edges with one triangle only, the "
+                  "first from ");
     auto filled = command;
     filled.emplace_back("--fill");
     const Outcome outcome = lodlab(filled);
@@ -181,7 +184,22 @@ TEST_CASE("what is nonsense in space is refused in one line") {
     scratch.write("open.obj", open_corner);
     const std::string open =
         scratch.write("open.toml", "dim = 3\n[[body]]\nshape = \"open.obj\"\n");
-    check_failure({"simulate", open}, 3, "open.toml:2:1: body body 1: open: the mesh does not");
+    check_failure({"simulate", open}, 3, "open.obj: the mesh does not");
+}
+
+TEST_CASE("remarks say what the numbers of a mesh file hold, and exports stand in its frame") {
+    const Scratch scratch;
+    const std::string far =
+        scratch.write("far.obj",
+                      "v 30000000.25 0 0\nv 30000001.25 0 0\nv 30000000.25 1 0\nv 30000000.25 0 1\n"
+                      "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const Json json = result({"tree", far, "--builder", "octree", "--depth", "0", "--out",
+                              scratch / "far.spheres.json", "--json"});
+    CHECK(json["shape"]["measure"] == Approx(1.0 / 6).epsilon(1e-12));
+    CHECK(contains(json["shape"]["remarks"].dump(), "far from the origin"));
+    std::ifstream in(scratch / "far.spheres.json");
+    const Json spheres = Json::parse(in);
+    CHECK(spheres["levels"][0]["spheres"][0]["centre"][0] == Approx(30000000.75).margin(0.3));
 }
 
 TEST_CASE("built trees are kept for the next time, unless the user says no") {

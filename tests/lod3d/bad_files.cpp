@@ -174,7 +174,8 @@ TEST_CASE("a small mesh that a scene shows ten million times counts as so many t
             "filler":")" +
         std::string(400, '.') + "\"}";
     const fs::path path = folder.write("many.gltf", gltf);
-    CHECK_THAT(outcome(path, {.most_triangles = 299}), lodtest::contains("300 triangles, more than"));
+    CHECK_THAT(outcome(path, {.most_triangles = 299}),
+               lodtest::contains("300 triangles, more than"));
     CHECK_THAT(outcome(path, {.most_triangles = 300}), !lodtest::contains("more than"));
 }
 
@@ -187,4 +188,35 @@ TEST_CASE("a glTF file whose numbers and lists are of another kind is refused", 
         INFO(text);
         CHECK(outcome(folder.write("odd.gltf", text)) != "accepted");
     }
+}
+
+TEST_CASE("a glTF file that requires an extension not read is refused by its name", "[bad_files]") {
+    const Folder folder;
+    const std::string good = gltf(box());
+    const auto with = [&](const std::string& more) {
+        return outcome(folder.write("more.gltf", "{" + more + "," + good.substr(1)));
+    };
+    CHECK(with(R"("extensionsRequired":["KHR_materials_unlit","KHR_texture_transform"])") ==
+          "accepted");
+    for (const char* name : {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                             "KHR_mesh_quantization", "EXT_mesh_gpu_instancing"}) {
+        const std::string line = with("\"extensionsRequired\":[\"" + std::string(name) + "\"]");
+        CHECK_THAT(line, lodtest::contains("more.gltf: requires the extension") &&
+                             lodtest::contains(name));
+    }
+    CHECK(with(R"("extensionsRequired":[7,null])") == "accepted");
+    std::string bytes = good;
+    bytes.replace(bytes.find("5126"), 4, "5122");
+    CHECK_THAT(outcome(folder.write("short.gltf", bytes)),
+               lodtest::contains("KHR_mesh_quantization"));
+}
+
+TEST_CASE("a part that a glTF scene places far away keeps its digits", "[bad_files]") {
+    const Folder folder;
+    std::string text = gltf(box());
+    const std::string node = R"("nodes":[{"mesh":0)";
+    text.replace(text.find(node), node.size(), node + R"(,"translation":[1000000,-2000000,0.5])");
+    const Solid solid = make_solid("it", load_mesh(folder.write("placed.gltf", text)));
+    CHECK(solid.volume == Approx(1).epsilon(1e-9));
+    CHECK(solid.centroid.isApprox(Point(1e6, -2e6, 0.5), 1e-15));
 }

@@ -65,7 +65,7 @@ TEST_CASE("meshes without volume are refused, each with its reason", "[solid]") 
     for (Point& p : flat.vertices) p.z() = 0;
     CHECK(refusal(flat) != "accepted");
     Mesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};  // both sides of one
-    CHECK_THAT(refusal(sheet), lodtest::contains("no volume"));
+    CHECK_THAT(refusal(sheet), lodtest::contains("its faces are doubled"));
 }
 
 TEST_CASE("an open mesh is refused with its edges, or filled when asked", "[solid]") {

@@ -1,0 +1,100 @@
+#include "lodlab/lod3d/mesh_faults.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <numeric>
+#include <tuple>
+
+namespace lod3d {
+namespace {
+
+/// The normal of the largest triangle and a corner of it.
+std::pair<Point, Point> widest_plane(const Mesh& mesh) {
+    Point widest = Point::Zero();
+    Point corner = Point::Zero();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Point a = mesh.corner(t, 0);
+        const Point area = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a);
+        if (!(area.norm() > widest.norm())) continue;
+        widest = area;
+        corner = a;
+    }
+    return {widest.stableNormalized(), corner};
+}
+
+}  // namespace
+
+std::string in_digits(double value, int digits) {
+    std::array<char, 64> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                   std::chars_format::general, digits);
+    return {text.data(), end.ptr};
+}
+
+std::string place_in_words(const Point& p) {
+    std::string text = "(";
+    for (int d = 0; d < 3; ++d) {
+        if (d > 0) text += ", ";
+        text += in_digits(p[d], 10);
+    }
+    return text + ")";
+}
+
+std::string counted(long count, const std::string& what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string describe(const BadEdges& bad, const Mesh& mesh, const Point& moved) {
+    std::string text;
+    const auto add = [&](int count, const std::string& what) {
+        if (count == 0) return;
+        text += (text.empty() ? "" : ", ") + counted(count, "edge") + " " + what;
+    };
+    add(bad.open, "with one triangle only");
+    add(bad.crowded, "with triangles that don't pair up");
+    add(bad.reversed, "between triangles turned against each other");
+    if (bad.none()) return text;
+    const auto end = [&](std::size_t which) {
+        return place_in_words(mesh.vertices[static_cast<std::size_t>(bad.first[which])] + moved);
+    };
+    return text + ", the first from " + end(0) + " to " + end(1);
+}
+
+std::string why_no_volume(const Mesh& mesh, const Point& moved) {
+    constexpr double flat = 1e-9;  // of the size
+    const double longest = bounding_box(mesh).size().maxCoeff();
+    const auto [normal, corner] = widest_plane(mesh);
+    double thickness = 0;
+    for (const Point& p : mesh.vertices)
+        thickness = std::max(thickness, std::abs(normal.dot(p - corner)));
+    if (thickness <= flat * longest)
+        return "the mesh bounds no volume: it is flat, all of it lies in one plane through " +
+               place_in_words(corner + moved) + "; give it a thickness";
+    return "the mesh bounds no volume, though it is not flat: its faces cross each other, or lie "
+           "doubled on each other, so that what some enclose others take away; unite them, or "
+           "divide the mesh where it crosses itself";
+}
+
+int drop_other_sides(Mesh& mesh) {
+    std::vector<Triangle> key = mesh.triangles;
+    for (Triangle& t : key) std::sort(t.begin(), t.end());
+    std::vector<std::size_t> order(key.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        return std::tie(key[i], i) < std::tie(key[j], j);
+    });
+    if (order.size() % 2 != 0) return 0;
+    std::vector<char> later(order.size(), 0);
+    for (std::size_t i = 0; i < order.size(); i += 2) {  // those turned alike were dropped before
+        if (key[order[i]] != key[order[i + 1]]) return 0;
+        later[order[i + 1]] = 1;
+    }
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (later[t] == 0) mesh.triangles[kept++] = mesh.triangles[t];
+    const std::size_t dropped = mesh.triangles.size() - kept;
+    mesh.triangles.resize(kept);
+    return static_cast<int>(dropped);
+}
+
+}  // namespace lod3d

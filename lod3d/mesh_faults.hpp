@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "lodlab/lod3d/mesh.hpp"
+
+namespace lod3d {
+
+// What is wrong with a mesh, in words for its refusal. `moved` is what was taken off its vertices:
+// places are told in the frame of the file.
+
+/// A number in so many significant digits, at most 20.
+[[nodiscard]] std::string in_digits(double value, int digits);
+
+/// "(1, 2.5, 3)"
+[[nodiscard]] std::string place_in_words(const Point& p);
+
+/// How many bad edges of each kind there are, and where the first is.
+[[nodiscard]] std::string describe(const BadEdges& bad, const Mesh& mesh, const Point& moved);
+
+/// Why a closed mesh bounds no volume: it is flat, or its surface crosses or doubles itself.
+[[nodiscard]] std::string why_no_volume(const Mesh& mesh, const Point& moved);
+
+/// Whether every triangle is there twice, turned both ways, as in a double-sided mesh. Then one of
+/// each two is dropped: the later one. Returns how many were.
+int drop_other_sides(Mesh& mesh);
+
+/// "1 edge", "2 edges"
+[[nodiscard]] std::string counted(long count, const std::string& what);
+
+}  // namespace lod3d
