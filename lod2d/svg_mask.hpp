@@ -1,0 +1,16 @@
+#pragma once
+
+#include "lodlab/lod2d/svg_drawing.hpp"
+
+namespace pugi {
+class xml_document;
+}
+
+namespace lod2d {
+
+/// Turns masks into clips where that is the same: masks of basic shapes and paths that are filled
+/// with a colour other than black (or with any, by alpha). Others and all filters are taken off
+/// their elements, and noted. The style of the document is plain CSS (svg_css.hpp).
+void masks_to_clips(pugi::xml_document& document, SvgNotes& notes);
+
+}  // namespace lod2d

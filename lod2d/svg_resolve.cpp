@@ -1,0 +1,170 @@
+#include "lodlab/lod2d/svg_resolve.hpp"
+
+#include <cairo-script.h>
+#include <librsvg/rsvg.h>
+
+#include <cmath>
+#include <memory>
+
+#include "lodlab/core/error.hpp"
+#include "lodlab/lod2d/cairo_script.hpp"
+#include "lodlab/lod2d/svg_prepare.hpp"
+
+namespace lod2d {
+namespace {
+
+template <auto release>
+struct Release {
+    template <typename T>
+    void operator()(T* thing) const {
+        release(thing);
+    }
+};
+using Handle = std::unique_ptr<RsvgHandle, Release<g_object_unref>>;
+using Device = std::unique_ptr<cairo_device_t, Release<cairo_device_destroy>>;
+using Surface = std::unique_ptr<cairo_surface_t, Release<cairo_surface_destroy>>;
+using Context = std::unique_ptr<cairo_t, Release<cairo_destroy>>;
+
+std::string one_line(std::string text) {
+    for (char& c : text)
+        if (c == '\n' || c == '\r') c = ' ';
+    return text;
+}
+
+[[noreturn]] void refuse(const std::string& name, GError* error, const std::string& otherwise) {
+    std::string why = error ? one_line(error->message) : otherwise;
+    if (error) g_error_free(error);
+    lod::refuse_input("cannot read " + name, "librsvg says: " + why + "; save it as a plain SVG");
+}
+
+cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count) {
+    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
+    return lod::stop_signal.load() == 0 ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+}
+
+/// Draws one document at several sizes.
+class Renderer {
+  public:
+    Renderer(const std::string& name, const PreparedSvg& svg) : name_(name), svg_(svg) {
+        GError* error = nullptr;
+        GInputStream* stream = g_memory_input_stream_new_from_data(
+            svg.text.data(), static_cast<gssize>(svg.text.size()), nullptr);
+        // No base file: it reads no other.
+        handle_.reset(rsvg_handle_new_from_stream_sync(stream, nullptr, RSVG_HANDLE_FLAG_UNLIMITED,
+                                                       nullptr, &error));
+        g_object_unref(stream);
+        if (!handle_) refuse(name, error, "it cannot be read");
+        static constexpr std::string_view sheet =
+            "*{filter:none !important;mask:none !important;mix-blend-mode:normal !important}";
+        if (!rsvg_handle_set_stylesheet(
+                handle_.get(), reinterpret_cast<const guint8*>(sheet.data()), sheet.size(), &error))
+            refuse(name, error, "it takes no style sheet");
+    }
+
+    /// What it draws where the page is scaled and moved so that `middle` of it lies in the middle
+    /// of what Cairo can hold. Turned, because that surface is short and false about upright boxes.
+    [[nodiscard]] SvgDrawing draw(double scale, const Point& middle) const {
+        const lod::Matrix<2> turned(scale * cosine, -scale * sine, scale * sine, scale * cosine);
+        const Point offset = -(turned * middle);
+        std::string script;
+        {
+            const Device device(cairo_script_create_for_stream(append, &script));
+            const Surface surface(cairo_script_surface_create(
+                device.get(), CAIRO_CONTENT_COLOR_ALPHA, canvas, canvas));
+            const Context context(cairo_create(surface.get()));
+            cairo_matrix_t matrix;
+            cairo_matrix_init(&matrix, turned(0, 0), turned(1, 0), turned(0, 1), turned(1, 1),
+                              offset.x(), offset.y());
+            cairo_set_matrix(context.get(), &matrix);
+            const RsvgRectangle viewport{0, 0, svg_.size.x(), svg_.size.y()};
+            GError* error = nullptr;
+            if (!rsvg_handle_render_document(handle_.get(), context.get(), &viewport, &error))
+                refuse(name_, error, "it cannot be drawn");
+            cairo_surface_finish(surface.get());
+            lod::check_interrupted();
+            if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
+                refuse(name_, nullptr, cairo_status_to_string(cairo_surface_status(surface.get())));
+        }
+        const lod::Matrix<2> back(cosine / scale, sine / scale, sine / scale, -cosine / scale);
+        return read_cairo_script(name_, script, {back, {middle.x(), -middle.y()}});
+    }
+
+    static constexpr double canvas = 0x1p22;  ///< Cairo's numbers have 23 bits before the point
+
+  private:
+    // Of 0.6437501 radians: no angle that a drawing has.
+    static constexpr double cosine = 0.799850580478866036;
+    static constexpr double sine = 0.600199174364328014;
+
+    const std::string& name_;
+    const PreparedSvg& svg_;
+    Handle handle_;
+};
+
+Box box_of(const SvgDrawing& drawing) {
+    Box box;
+    for (const SvgFill& fill : drawing.fills) {
+        box.hold(fill.region.path.control_box());
+        for (const auto& clip : fill.clips) box.hold(clip->path.control_box());
+    }
+    for (const SvgStroke& stroke : drawing.strokes) {
+        CurvePath path = stroke.path;
+        path.transform(stroke.to_page);
+        box.hold(path.control_box());
+        for (const auto& clip : stroke.clips) box.hold(clip->path.control_box());
+    }
+    return box;
+}
+
+bool are_alike(const Box& a, const Box& b, double tolerance) {
+    if (a.is_empty() || b.is_empty()) return a.is_empty() == b.is_empty();
+    return (a.low - b.low).cwiseAbs().maxCoeff() < tolerance &&
+           (a.high - b.high).cwiseAbs().maxCoeff() < tolerance;
+}
+
+/// The whole drawing, as large as Cairo's numbers allow. What lies further out than they reach
+/// comes back at another place each time that the scale is another.
+SvgDrawing at_full_size(const std::string& name, const Renderer& renderer, const Point& size) {
+    const double extent = size.maxCoeff();
+    const Point middle = size / 2;
+    const Box first = box_of(renderer.draw(2048 / extent, middle));
+    const Box second = box_of(renderer.draw(1459 / extent, middle));
+    const double rounding = extent / 1024;
+    const auto check = [&](bool alike) {
+        if (!alike)
+            lod::refuse_input("cannot read " + name,
+                              "parts of it lie thousands of pages outside its page; delete them");
+    };
+    check(are_alike(first, second, rounding));
+    if (first.is_empty()) return renderer.draw(2048 / extent, middle);
+    const double reach = first.size().maxCoeff() + rounding;
+    SvgDrawing drawing =
+        renderer.draw(Renderer::canvas / reach, {first.centre().x(), -first.centre().y()});
+    check(are_alike(first, box_of(drawing), rounding));
+    return drawing;
+}
+
+}  // namespace
+
+SvgDrawing resolve_svg(const SvgXml& xml, const SvgSettings& settings) {
+    PreparedSvg svg = prepare_svg(xml, settings);
+    const Renderer renderer(xml.name, svg);
+    SvgDrawing drawing = at_full_size(xml.name, renderer, svg.size);
+    svg.notes.whole.insert(svg.notes.whole.end(), drawing.notes.whole.begin(),
+                           drawing.notes.whole.end());
+    drawing.notes = std::move(svg.notes);
+    drawing.notes.remarks.insert(
+        drawing.notes.remarks.begin(),
+        "outlines come through librsvg " + std::to_string(rsvg_major_version) + "." +
+            std::to_string(rsvg_minor_version) + "." + std::to_string(rsvg_micro_version) +
+            ", to about 1e-9 of the drawing's size");
+    if (svg.paged) {
+        Box page;
+        page.hold({0, 0});
+        page.hold({svg.size.x(), -svg.size.y()});
+        drawing.page = page;
+    }
+    return drawing;
+}
+
+}  // namespace lod2d
