@@ -30,6 +30,7 @@ struct Options {
     bool no_cache = false;
     bool fill = false;     ///< open meshes, by winding number
     bool strokes = false;  ///< of drawings, beside fills too
+    bool page = false;     ///< drawings are cut off by their page
     bool strict = false;   ///< no drawing of which something is left out
     bool list = false;
 

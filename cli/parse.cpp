@@ -63,6 +63,7 @@ const Row rows[] = {
     {"--dim", [](CLI::App& a, Options& o) { a.add_option("--dim", o.dim, "2: the plane, 3: space; without it as the shape says, else the plane")->check(range(2, 3)); }},
     {"--fill", [](CLI::App& a, Options& o) { a.add_flag("--fill", o.fill, "take an open mesh, filled by winding number; its inertia is approximate"); }},
     {"--strokes", [](CLI::App& a, Options& o) { a.add_flag("--strokes", o.strokes, "the strokes of a drawing belong to the shape, beside its fills too"); }},
+    {"--page", [](CLI::App& a, Options& o) { a.add_flag("--page", o.page, "a drawing is stretched and cut off by its page, as a browser does"); }},
     {"--strict", [](CLI::App& a, Options& o) { a.add_flag("--strict", o.strict, "refuse a drawing of which something is left out or taken in another way than a browser shows it"); }},
     {"--nodes", [](CLI::App& a, Options& o) { a.add_option("--nodes", o.nodes, "most nodes: levels that would take the tree beyond are left out")->check(range(1, most_tests)); }},
     {"--error", [](CLI::App& a, Options& o) { a.add_option("--error", o.error, "target: a node that stands out of the shape by no more than this share of the root's diameter is not divided")->check(range(0, 1)); }},

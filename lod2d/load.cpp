@@ -44,6 +44,7 @@ Shape load_shape(std::string_view spec, const LoadSettings& settings) {
         svg.most_elements = settings.most_elements;
         svg.strokes = settings.strokes;
         svg.strict = settings.strict;
+        svg.page = settings.page;
         return load_svg(std::filesystem::path(spec), svg);
     }
     if (spec.starts_with(text_prefix)) {

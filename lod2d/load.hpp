@@ -13,6 +13,7 @@ struct LoadSettings {
     std::size_t most_bytes = 64'000'000;  ///< of a file
     std::size_t most_elements = 200'000;  ///< of an SVG file
     bool strokes = false;                 ///< of an SVG file: take strokes in, beside fills too
+    bool page = false;                    ///< of an SVG file: stretched and cut off by its page
     bool strict = false;                  ///< refuse an SVG file of which something is left out
 };
 

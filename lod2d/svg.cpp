@@ -1,5 +1,7 @@
 #include "lodlab/lod2d/svg.hpp"
 
+#include <algorithm>
+
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
 #include "lodlab/lod2d/svg_plain.hpp"
@@ -13,6 +15,7 @@ std::string stem(const std::string& name) {
     return std::filesystem::path(name).stem().string();
 }
 
+/// A drawing is read by ourselves where it is plain.
 SvgDrawing read(const std::string& name, std::string_view bytes, const SvgSettings& settings) {
     const SvgXml xml = parse_svg_xml(name, bytes, settings.most_bytes);
     if (auto plain = read_plain_svg(xml, settings)) return std::move(*plain);
@@ -48,7 +51,11 @@ Shape parse_svg(const std::string& name, std::string_view text, const SvgSetting
         lod::refuse_input("cannot use " + name,
                           "it is to be taken strictly, and " + joined(losses) +
                               "; change the drawing, or drop the option strict");
-    Shape shape = shape_of(name, regions, settings.outline);
+    OutlineSettings outline = settings.outline;
+    // Plain drawings keep the bits that they always had; of others curves are followed more
+    // closely.
+    if (!drawing.plain) outline.tolerance = std::max(outline.tolerance / 4, 1e-7);
+    Shape shape = shape_of(name, regions, outline);
     shape.name = stem(name);
     for (const std::string& line : drawing.notes.remarks)
         shape.remarks.push_back(shape.name + ": " + line);

@@ -14,12 +14,14 @@ struct SvgSettings {
     int most_depth = 200;                 ///< of elements within elements
     bool strokes = false;                 ///< strokes belong to the shape, beside fills too
     bool strict = false;                  ///< refuse what a browser shows in another way
+    bool page = false;                    ///< stretched and cut off as by the page of a browser
 };
 
 /// The shape that a browser shows of an SVG file: the union of all its filled regions, whatever
 /// their colour (white too), as one rigid body, which may have several parts. Up in the picture is
 /// up (+y). The shape is scaled by settings.outline.size; width, height and viewBox of the file set
-/// no scale, but what lies outside the page is cut off.
+/// no scale and cut nothing off, unless settings.page asks for it (where that matters, a remark
+/// says so).
 ///
 /// A drawing of paths, basic shapes, groups, transforms and colours is read to the last bit. Any
 /// other goes through librsvg, which resolves style sheets, `use`, nested <svg>, switch (English is

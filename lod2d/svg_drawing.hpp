@@ -53,6 +53,7 @@ struct SvgDrawing {
     std::vector<SvgFill> fills;
     std::vector<SvgStroke> strokes;
     std::optional<Box> page;  ///< what a browser shows of it; nothing: all
+    bool plain = false;       ///< read by ourselves, to the last bit
     SvgNotes notes;
 };
 

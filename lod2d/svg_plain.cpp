@@ -94,7 +94,7 @@ bool has_relative_lengths(const xml_node& node, bool percentages_too) {
          {"x", "y", "cx", "cy", "r", "rx", "ry", "width", "height", "x1", "y1", "x2", "y2"}) {
         const std::string_view text = node.attribute(name).value();
         const std::string_view of_window = "vw vh vmin vmax calc em ex ch rem";
-        if (percentages_too && text.ends_with('%')) return true;
+        if (text.ends_with('%') && (percentages_too || name[0] == 'r')) return true;
         const std::size_t unit = text.find_first_not_of("+-.0123456789 ");
         if (unit != std::string_view::npos && text.size() - unit >= 2 &&
             of_window.find(text.substr(unit, 4)) != std::string_view::npos)
@@ -245,6 +245,7 @@ void PlainWalk::set_page() {
 SvgDrawing PlainWalk::read() {
     draw(xml_.root(), Affine::scaling(1, -1), {}, 0);
     set_page();
+    drawing_.plain = true;
     for (xml_node node = xml_.root(); node; node = next(node))
         if (local_name(node.name()) == "script" && is_svg_element(node))
             SvgNotes::count(drawing_.notes.left_out, "script", "scripts");

@@ -68,6 +68,13 @@ std::string text_of(const xml_node& node) {
     return text;
 }
 
+bool is_stretched(const SvgPage& page) {
+    if (!page.size || !page.view_box) return false;
+    const double ratio =
+        page.size->x() * (*page.view_box)[3] / page.size->y() / (*page.view_box)[2];
+    return ratio < 0.999 || ratio > 1.001;
+}
+
 /// Whether a <style> is CSS for a screen.
 bool is_read(const xml_node& style, SvgNotes& notes) {
     const std::string_view type = style.attribute("type").value();
@@ -244,9 +251,10 @@ void Preparation::prepare_root() {
         root.remove_attribute("preserveAspectRatio");
     }
     const std::string_view aspect = root.attribute("preserveAspectRatio").value();
-    if (aspect.starts_with("none") && page.size && page.view_box)
-        prepared_.notes.remarks.push_back(
-            "its preserveAspectRatio=\"none\" stretches it to its page, as a browser does");
+    if (aspect.starts_with("none") && !settings_.page && is_stretched(page)) {
+        prepared_.notes.doubt("a browser stretches it to its page (the option page does)");
+        root.remove_attribute("preserveAspectRatio");
+    }
     for (const char* name : {"x", "y"}) root.remove_attribute(name);
     set("width", "100%");
     set("height", "100%");

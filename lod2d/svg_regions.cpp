@@ -53,7 +53,8 @@ class Regions {
             path.transform(stroke.to_page);
             box.hold(path.control_box());
         }
-        if (drawing.page && !box.is_empty()) {  // what is cut off needs no tolerance
+        if (settings.page && drawing.page &&
+            !box.is_empty()) {  // what is cut off needs no tolerance
             box.low = box.low.cwiseMax(drawing.page->low);
             box.high = box.high.cwiseMin(drawing.page->high);
         }
@@ -122,12 +123,16 @@ void Regions::add(FilledPath region, const SvgClips& clips) {
     Outline lines;
     if (!inside || !clips.empty()) lines = flattened(region);
     if (!inside) inside = on_page(bounds({lines.rings}));
-    if (inside && clips.empty()) return regions_.push_back(std::move(region));
+    if (clips.empty() && (inside || !settings_.page)) {
+        outside_ += !inside;
+        return regions_.push_back(std::move(region));
+    }
     std::vector<Outline> within;
     for (const auto& clip : clips) within.push_back(flattened(*clip));
     Outline seen = within.empty() ? lines : intersected(lines, within);
     if (!on_page(bounds({seen.rings}))) {
         ++outside_;
+        if (!settings_.page) return regions_.push_back(path_along(seen));
         const Box& page = *drawing_.page;
         const Outline sheet{
             {{page.low, {page.high.x(), page.low.y()}, page.high, {page.low.x(), page.high.y()}}}};
@@ -150,8 +155,12 @@ std::vector<FilledPath> Regions::take() {
                         drawing_.strokes.size() - around);
         SvgNotes::count(notes.left_out, "stroke around a fill", "strokes around fills", around);
     }
-    SvgNotes::count(notes.left_out, "shape's part outside the page",
-                    "shapes' parts outside the page", outside_);
+    if (outside_ > 0) {
+        const std::string shapes =
+            outside_ == 1 ? "1 shape lies" : std::to_string(outside_) + " shapes lie";
+        notes.doubt(shapes + " in part outside its page, where a browser cuts " +
+                    (settings_.page ? "them off, as was done" : "them off (the option page does)"));
+    }
     std::erase_if(regions_, [](const FilledPath& region) { return region.path.empty(); });
     return std::move(regions_);
 }

@@ -65,7 +65,7 @@ class Renderer {
     /// of what Cairo can hold. Turned, because that surface is short and false about upright boxes.
     [[nodiscard]] SvgDrawing draw(double scale, const Point& middle) const {
         const lod::Matrix<2> turned(scale * cosine, -scale * sine, scale * sine, scale * cosine);
-        const Point offset = -(turned * middle);
+        const Point offset = Point::Constant(canvas / 2) - turned * middle;
         std::string script;
         {
             const Device device(cairo_script_create_for_stream(append, &script));
@@ -86,10 +86,11 @@ class Renderer {
                 refuse(name_, nullptr, cairo_status_to_string(cairo_surface_status(surface.get())));
         }
         const lod::Matrix<2> back(cosine / scale, sine / scale, sine / scale, -cosine / scale);
-        return read_cairo_script(name_, script, {back, {middle.x(), -middle.y()}});
+        const Point origin = Point(middle.x(), -middle.y()) - back * Point::Constant(canvas / 2);
+        return read_cairo_script(name_, script, {back, origin});
     }
 
-    static constexpr double canvas = 0x1p22;  ///< Cairo's numbers have 23 bits before the point
+    static constexpr double canvas = 0x1p23 - 1;  ///< Cairo's numbers have 23 bits before the point
 
   private:
     // Of 0.6437501 radians: no angle that a drawing has.
@@ -139,7 +140,7 @@ SvgDrawing at_full_size(const std::string& name, const Renderer& renderer, const
     if (first.is_empty()) return renderer.draw(2048 / extent, middle);
     const double reach = first.size().maxCoeff() + rounding;
     SvgDrawing drawing =
-        renderer.draw(Renderer::canvas / reach, {first.centre().x(), -first.centre().y()});
+        renderer.draw(Renderer::canvas / 2 / reach, {first.centre().x(), -first.centre().y()});
     check(are_alike(first, box_of(drawing), rounding));
     return drawing;
 }

@@ -45,6 +45,7 @@ PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice
     lod2d::LoadSettings settings;
     settings.strokes = choice.strokes;
     settings.strict = choice.strict;
+    settings.page = choice.page;
     if (choice.size) settings.outline.size = *choice.size;
     raise(settings.most_bytes, choice.raise_limits);
     raise(settings.most_elements, choice.raise_limits);

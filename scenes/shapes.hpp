@@ -30,6 +30,7 @@ struct ShapeChoice {
     double raise_limits = 1;  ///< factor of every limit on the size of files, >= 1
     bool strokes = false;     ///< of drawings: take strokes in, beside fills too
     bool strict = false;      ///< refuse a drawing of which something is left out
+    bool page = false;        ///< of drawings: stretched and cut off by the page, as in a browser
 };
 
 /// How a tree is asked for; the builders' defaults where nothing is said.
