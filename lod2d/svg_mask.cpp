@@ -140,6 +140,61 @@ class Masks {
 
 }  // namespace
 
+namespace {
+
+void collect_patterns(const xml_node& node, std::vector<xml_node>& patterns, std::string& texts,
+                      std::unordered_map<std::string, xml_node>& by_id) {
+    if (local_name(node.name()) == "pattern" && is_svg_element(node)) {
+        patterns.push_back(node);
+        by_id.try_emplace(node.attribute("id").value(), node);
+    }
+    for (const pugi::xml_attribute& attribute : node.attributes())
+        if (std::string_view(attribute.value()).find('#') != std::string_view::npos)
+            texts.append(attribute.value()).append(" ");
+    if (local_name(node.name()) == "style") texts += node.child_value();
+    for (const xml_node& child : node.children()) collect_patterns(child, patterns, texts, by_id);
+}
+
+/// Whether it, or the pattern that it takes its contents from, draws something.
+bool has_contents(xml_node pattern, const std::unordered_map<std::string, xml_node>& by_id) {
+    for (int links = 0; links < 20; ++links) {
+        for (const xml_node& child : pattern.children())
+            if (child.type() == pugi::node_element && !is_one_of(child.name(), {"title", "desc"}))
+                return true;
+        const std::string link = svg_link(pattern);
+        const auto found = link.starts_with('#') ? by_id.find(link.substr(1)) : by_id.end();
+        if (found == by_id.end()) return false;
+        pattern = found->second;
+    }
+    return false;
+}
+
+}  // namespace
+
+void fill_patterns(pugi::xml_document& document, SvgNotes& notes) {
+    std::vector<xml_node> patterns;
+    std::string texts;
+    std::unordered_map<std::string, xml_node> by_id;
+    collect_patterns(document.document_element(), patterns, texts, by_id);
+    std::vector<bool> drawn;
+    for (const xml_node& pattern : patterns) drawn.push_back(has_contents(pattern, by_id));
+    for (std::size_t i = patterns.size(); i-- > 0;) {  // those within others first
+        xml_node pattern = patterns[i];
+        const std::string id = pattern.attribute("id").value();
+        if (texts.find("url(#" + id + ")") != std::string::npos && drawn[i])
+            SvgNotes::count(notes.whole, "pattern", "patterns");
+        while (pattern.first_child()) pattern.remove_child(pattern.first_child());
+        while (pattern.first_attribute()) pattern.remove_attribute(pattern.first_attribute());
+        const std::string name = pattern.name();
+        const std::string prefix = name.substr(0, name.size() - std::string("pattern").size());
+        pattern.set_name((prefix + "linearGradient").c_str());
+        pattern.append_attribute("id").set_value(id.c_str());
+        xml_node stop = pattern.append_child((prefix + "stop").c_str());
+        stop.append_attribute("style").set_value(drawn[i] ? "stop-color:black;stop-opacity:1"
+                                                          : "stop-color:black;stop-opacity:0");
+    }
+}
+
 void masks_to_clips(pugi::xml_document& document, SvgNotes& notes) {
     Masks(document, notes).resolve(document.document_element());
 }

@@ -275,6 +275,7 @@ PreparedSvg Preparation::prepare() {
     (void)prepare_element(document_.document_element(), true);
     prepare_root();
     masks_to_clips(document_, prepared_.notes);
+    fill_patterns(document_, prepared_.notes);
     std::ostringstream text;
     document_.document_element().print(text, "", pugi::format_raw, pugi::encoding_utf8);
     prepared_.text = text.str();
