@@ -70,7 +70,8 @@ bool ScriptReader::inked(Surface& surface) {
     std::vector<SvgNotes::Kind>& whole = surface.drawn.notes.whole;
     if (source.seen < source.stops)
         SvgNotes::count(whole, "gradient that fades to nothing", "gradients that fade to nothing");
-    if (source.kind == Pattern::Kind::group) return true;
+    if (source.kind == Pattern::Kind::group) fail(word_);
+    return true;
 }
 
 void ScriptReader::fill() {

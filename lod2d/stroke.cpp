@@ -30,7 +30,7 @@ class Pen {
     Pen(const StrokeStyle& style, double tolerance) : style_(style), r_(style.width / 2) {
         // A chord of n steps to the circle strays by r (1 - cos(pi / n)), about r (pi / n)^2 / 2.
         const double steps = std::numbers::pi / std::sqrt(2 * std::min(1.0, tolerance / r_));
-        steps_ = std::clamp(static_cast<int>(std::ceil(steps)), 8, 2000);
+        steps_ = static_cast<int>(std::clamp(std::ceil(steps), 8.0, 2000.0));
     }
 
     /// `heading`, a unit vector, is what the caps of a dot follow.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "lodlab/lod2d/svg_text.hpp"
+
 namespace lod2d {
 namespace {
 
@@ -165,6 +167,15 @@ bool is_harmless(std::string_view property, const std::string& value) {
     return property.starts_with("animation-") && property != "animation-name";
 }
 
+bool is_no_opacity(std::string_view text) {
+    SvgReader reader(trimmed(text));
+    try {
+        return reader.number() <= 0;
+    } catch (const SvgTextError&) {
+        return false;
+    }
+}
+
 }  // namespace
 
 bool is_for_screens(std::string_view query, bool& known) {
@@ -199,6 +210,18 @@ void SvgCss::learn_from(std::string_view declarations, bool of_root) {
 
 void SvgCss::learn(std::string_view text) {
     const std::string clean = without_comments(text);
+    const std::string small = lower(clean);
+    for (std::size_t at = small.find("opacity"); at != std::string::npos;
+         at = small.find("opacity", at + 1)) {
+        if (at > 0 && (small[at - 1] == '-' || small[at - 1] == '.')) continue;
+        const std::size_t colon = small.find_first_not_of(" \t\r\n", at + 7);
+        if (colon == std::string::npos || small[colon] != ':') continue;
+        const std::size_t end = std::min(small.find_first_of(";}!", colon), small.size());
+        sheets_fade_ = sheets_fade_ || is_no_opacity(small.substr(colon + 1, end - colon - 1));
+    }
+    sheets_display_ = sheets_display_ || small.find("display") != std::string::npos;
+    if (sheets_fade_ && sheets_display_)
+        notes_.doubt("its style sheet hides by opacity and by display, which may hide too much");
     visit_rules(
         clean,
         [&](std::string_view selector, std::string_view block) {
@@ -282,6 +305,14 @@ std::string SvgCss::value(std::string_view property, std::string_view raw) {
     return text + important;
 }
 
+std::string SvgCss::display_for(std::string_view opacity) {
+    const std::string text = value("opacity", opacity);
+    const std::size_t mark = text.find(" !");
+    const std::string important = mark == std::string::npos ? "" : text.substr(mark);
+    if (is_no_opacity(text.substr(0, mark))) return "none" + important;
+    return sheets_fade_ ? "inline" + important : "";
+}
+
 std::string SvgCss::declarations(std::string_view text) {
     const std::string clean = without_comments(text);
     std::string result;
@@ -290,6 +321,11 @@ std::string SvgCss::declarations(std::string_view text) {
         if (name.find_first_of("{}&") != std::string::npos ||
             value_text.find('{') != std::string_view::npos) {
             notes_.doubt("its style sheet nests rules, which is not followed here");
+            return;
+        }
+        if (name == "opacity") {
+            const std::string display = display_for(value_text);
+            if (!display.empty()) result += "display:" + display + ";";
             return;
         }
         const std::string put = value(name, value_text);

@@ -22,6 +22,9 @@ class SvgCss {
     [[nodiscard]] std::string sheet(std::string_view text);
     /// The insides of `style`, or of a rule.
     [[nodiscard]] std::string declarations(std::string_view text);
+    /// What `display` is instead of an opacity: "none" for 0, else "" or, where a sheet fades,
+    /// "inline". Opacity makes groups, whose drawing is another; all that counts of it is nothing.
+    [[nodiscard]] std::string display_for(std::string_view opacity);
     /// The value of a property; "" where the declaration is to be left out.
     [[nodiscard]] std::string value(std::string_view property, std::string_view text);
 
@@ -36,6 +39,8 @@ class SvgCss {
     std::string substituted(std::string text, int depth);
 
     SvgNotes& notes_;
+    bool sheets_fade_ = false;  ///< a sheet has opacity: 0
+    bool sheets_display_ = false;
     std::map<std::string, Custom, std::less<>> custom_;
 };
 

@@ -112,6 +112,10 @@ bool PlainWalk::check(const xml_node& node, const SvgStyle& parent) const {
     if (!style) return false;
     if (role == Role::shape && has_relative_lengths(node, !page_.percent_of())) return false;
     if (role == Role::unread) return true;
+    if (role == Role::shape && style->stroke_by_gradient) {
+        const Box box = path_of(node, local_name(node.name())).control_box();
+        if (!box.is_empty() && (box.size().x() == 0 || box.size().y() == 0)) return false;
+    }
     for (const xml_node& child : node.children())
         if (child.type() == pugi::node_element && is_svg_element(child) && !check(child, *style))
             return false;

@@ -21,8 +21,8 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
 bool is_presentation(std::string_view name) {
     return name.starts_with("fill") || name.starts_with("stroke") || name.starts_with("stop-") ||
            name.starts_with("marker") ||
-           is_one_of(name, {"opacity", "display", "visibility", "clip-path", "clip-rule", "mask",
-                            "filter", "color", "overflow", "vector-effect", "transform-box"});
+           is_one_of(name, {"display", "visibility", "clip-path", "clip-rule", "mask", "filter",
+                            "color", "overflow", "vector-effect", "transform-box"});
 }
 
 class Preparation {
@@ -43,6 +43,7 @@ class Preparation {
     void prepare_sheet(xml_node node);
     void prepare_attributes(xml_node node);
     void place_origin(xml_node node);
+    void write_arcs(xml_node node) const;
     void check_grammar(const xml_node& node, std::string_view tag) const;
     void prepare_root();
 
@@ -156,6 +157,26 @@ void Preparation::check_grammar(const xml_node& node, std::string_view tag) cons
     if (node.attribute("transform")) (void)svg_transform_of(xml_, node);
 }
 
+/// Arcs as our own curves, which are closer to them than a library's.
+void Preparation::write_arcs(xml_node node) const {
+    const std::string_view d = node.attribute("d").value();
+    if (d.find_first_of("aA") == std::string_view::npos) return;
+    std::string text;
+    const CurvePath path = svg_path_of(xml_, node);
+    for (const CurvePath::Subpath& sub : path.subpaths()) {
+        std::size_t next = 0;
+        const auto put = [&](const char* command, std::size_t points) {
+            text += command;
+            for (; points > 0; --points, ++next)
+                text += decimal(sub.points[next].x()) + " " + decimal(sub.points[next].y()) + " ";
+        };
+        put("M", 1);
+        for (const bool curved : sub.curved) put(curved ? "C" : "L", curved ? 3 : 1);
+        if (sub.closed) text += "Z";
+    }
+    node.attribute("d").set_value(text.c_str());
+}
+
 /// transform-origin as translations, where both are written as attributes or in `style`.
 void Preparation::place_origin(xml_node node) {
     std::string origin = node.attribute("transform-origin").value();
@@ -191,9 +212,25 @@ void Preparation::place_origin(xml_node node) {
 void Preparation::prepare_attributes(xml_node node) {
     place_origin(node);
     std::vector<std::string> dropped;
+    if (const auto opacity = node.attribute("opacity")) {
+        const std::string display = css_.display_for(opacity.value());
+        const std::string_view style = node.attribute("style").value();
+        const bool styled = style.find("opacity") != std::string_view::npos;
+        node.remove_attribute("opacity");
+        if (display == "none" && !styled) {
+            node.remove_attribute("display");
+            node.append_attribute("display").set_value("none");
+            if (style.find("display") != std::string_view::npos)
+                node.attribute("style").set_value((std::string(style) + ";display:none").c_str());
+        }
+    }
     for (pugi::xml_attribute attribute : node.attributes()) {
         const std::string name = attribute.name();
         std::string value = attribute.value();
+        if (name.starts_with("xmlns:") && value.find('&') != std::string::npos) {
+            attribute.set_value(name == "xmlns:xlink" ? "http://www.w3.org/1999/xlink" : "urn:x");
+            continue;
+        }
         if (name == "style")
             value = css_.declarations(value);
         else if (is_presentation(name))
@@ -217,6 +254,7 @@ bool Preparation::prepare_element(xml_node node, bool drawn) {
     if (!keep_by_conditions(node) || !keep_by_tag(node, tag, drawn)) return false;
     check_grammar(node, tag);
     prepare_attributes(node);
+    if (tag == "path") write_arcs(node);
     const std::string_view style = node.attribute("style").value();
     const bool hidden = std::string_view(node.attribute("display").value()) == "none" ||
                         style.find("display:none") != std::string_view::npos;
@@ -275,6 +313,7 @@ PreparedSvg Preparation::prepare() {
     (void)prepare_element(document_.document_element(), true);
     prepare_root();
     masks_to_clips(document_, prepared_.notes);
+    box_clips_to_user_space(document_, prepared_.notes);
     fill_patterns(document_, prepared_.notes);
     std::ostringstream text;
     document_.document_element().print(text, "", pugi::format_raw, pugi::encoding_utf8);

@@ -49,9 +49,13 @@ class Regions {
         Box box;
         for (const SvgFill& fill : drawing.fills) box.hold(fill.region.path.control_box());
         for (const SvgStroke& stroke : drawing.strokes) {
-            CurvePath path = stroke.path;
-            path.transform(stroke.to_page);
-            box.hold(path.control_box());
+            const Box line = stroke.path.control_box();
+            const Point pen = Point::Constant(stroke.style.width / 2);
+            CurvePath around = rectangle_path(line.low.x() - pen.x(), line.low.y() - pen.y(),
+                                              line.size().x() + stroke.style.width,
+                                              line.size().y() + stroke.style.width, 0, 0);
+            around.transform(stroke.to_page);
+            box.hold(around.control_box());
         }
         if (settings.page && drawing.page &&
             !box.is_empty()) {  // what is cut off needs no tolerance

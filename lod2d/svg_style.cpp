@@ -127,7 +127,10 @@ class PlainReader {
     bool take(std::string_view property, std::string_view value) {
         if (value == "inherit") return !is_read(property);
         if (property == "fill") return take_paint(value, style_.fill);
-        if (property == "stroke") return take_paint(value, style_.stroke);
+        if (property == "stroke") {
+            style_.stroke_by_gradient = value.starts_with("url(");
+            return take_paint(value, style_.stroke);
+        }
         if (property == "fill-opacity") return take_seen(value, style_.fill_seen);
         if (property == "stroke-opacity") return take_seen(value, style_.stroke_seen);
         if (property == "opacity") {

@@ -25,6 +25,7 @@ struct SvgStyle {
     FillRule rule = FillRule::nonzero;
     SvgPaint stroke = SvgPaint::none;
     bool stroke_seen = true;
+    bool stroke_by_gradient = false;  ///< which leaves nothing on an upright line
     StrokeStyle pen;
     bool visible = true;
     bool drawn = true;  ///< no display: none and no opacity: 0 on the way here

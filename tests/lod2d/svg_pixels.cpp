@@ -80,6 +80,7 @@ bool draw_file(const std::string& path, Mask& mask) {
         g_clear_error(&error);
         return false;
     }
+    rsvg_handle_set_dpi(handle.get(), 96);
     gdouble width = 0, height = 0;
     gboolean has_width = 0, has_height = 0, has_box = 0;
     RsvgLength w, h;
