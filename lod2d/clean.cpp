@@ -92,6 +92,8 @@ void check_work(const std::string& name, const Polygon& all, const CleanSettings
     check(std::min(along_x, along_y), settings.most_sweep_steps, "edges to sweep over");
     check(count_edge_pairs(all, settings.most_edge_pairs), settings.most_edge_pairs,
           "pairs of edges that may cross");
+    check(count_crossings(all, settings.most_crossings), settings.most_crossings,
+          "crossings of its lines");
 }
 
 Paths unite(const std::string& name, const Paths& paths, ClipperLib::PolyFillType rule) {

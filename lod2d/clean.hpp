@@ -24,6 +24,8 @@ struct CleanSettings {
     /// Pairs of edges whose boxes meet, and edges passed by the sweep: what the time depends on.
     std::uint64_t most_edge_pairs = 50'000'000;
     std::uint64_t most_sweep_steps = 300'000'000;
+    /// Pairs of edges that do cross: what the size of the result, and the time of trees, depends on.
+    std::uint64_t most_crossings = 120'000;
     /// Parts and holes smaller than a square of this side are dropped (share of the longer side).
     double smallest_part = 1e-6;
 };

@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <map>
 #include <pugixml.hpp>
 #include <sstream>
-#include <unordered_map>
 
 #include "lodlab/lod2d/svg_mask.hpp"
 #include "lodlab/lod2d/svg_xml.hpp"
@@ -132,7 +132,7 @@ class BoxClips {
     }
 
     SvgNotes& notes_;
-    std::unordered_map<std::string, xml_node> clips_;
+    std::map<std::string, xml_node> clips_;
     std::vector<xml_node> clipped_;
     std::string sheet_;
     int made_ = 0;

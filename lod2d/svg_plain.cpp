@@ -44,7 +44,7 @@ class PlainWalk {
 
   private:
     [[nodiscard]] xml_node next(xml_node node) const;
-    [[nodiscard]] std::optional<SvgPaint> gradient_paint(std::string_view id) const;
+    [[nodiscard]] std::optional<SvgGradient> gradient_paint(std::string_view id) const;
     [[nodiscard]] std::optional<SvgStyle> style_of(const xml_node& node,
                                                    const SvgStyle& parent) const;
     bool check(const xml_node& node, const SvgStyle& parent) const;
@@ -69,8 +69,10 @@ xml_node PlainWalk::next(xml_node node) const {
     return node == xml_.root() ? xml_node() : node.next_sibling();
 }
 
-std::optional<SvgPaint> PlainWalk::gradient_paint(std::string_view id) const {
+std::optional<SvgGradient> PlainWalk::gradient_paint(std::string_view id) const {
     std::string of(id);
+    std::string units;
+    std::optional<SvgPaint> paint;  // by the first that has stops
     for (int links = 0; links < 20; ++links) {
         const auto found = by_id_.find(of);
         if (found == by_id_.end()) return std::nullopt;
@@ -78,7 +80,11 @@ std::optional<SvgPaint> PlainWalk::gradient_paint(std::string_view id) const {
         const std::string_view tag = local_name(node.name());
         if (tag != "linearGradient" && tag != "radialGradient") return std::nullopt;
         const std::string link = svg_link(node);
-        if (node.child("stop") || link.empty()) return plain_stops(node);
+        if (units.empty()) units = node.attribute("gradientUnits").value();
+        if (node.child("stop")) paint = paint ? paint : plain_stops(node);
+        if (node.child("stop") && !paint) return std::nullopt;
+        if (link.empty())
+            return SvgGradient{paint.value_or(SvgPaint::none), units != "userSpaceOnUse"};
         if (!link.starts_with('#')) return std::nullopt;
         of = link.substr(1);
     }
@@ -112,10 +118,6 @@ bool PlainWalk::check(const xml_node& node, const SvgStyle& parent) const {
     if (!style) return false;
     if (role == Role::shape && has_relative_lengths(node, !page_.percent_of())) return false;
     if (role == Role::unread) return true;
-    if (role == Role::shape && style->stroke_by_gradient) {
-        const Box box = path_of(node, local_name(node.name())).control_box();
-        if (!box.is_empty() && (box.size().x() == 0 || box.size().y() == 0)) return false;
-    }
     for (const xml_node& child : node.children())
         if (child.type() == pugi::node_element && is_svg_element(child) && !check(child, *style))
             return false;
@@ -174,10 +176,12 @@ CurvePath PlainWalk::path_of(const xml_node& node, std::string_view tag) const {
 void PlainWalk::draw_shape(const xml_node& node, const Affine& frame, const SvgStyle& style) {
     if (!style.visible) return;
     const bool filled = style.fill != SvgPaint::none && style.fill_seen;
-    const bool stroked = style.stroke != SvgPaint::none && style.stroke_seen && style.pen.width > 0;
+    bool stroked = style.stroke != SvgPaint::none && style.stroke_seen && style.pen.width > 0;
     if (!filled && !stroked) return;
     CurvePath path = path_of(node, local_name(node.name()));
     if (path.empty()) return;
+    const Point size = path.control_box().size();
+    if (style.stroke_by_box && (size.x() == 0 || size.y() == 0)) stroked = false;
     CurvePath pen_path = path;
     path.transform(frame);
     if (!path.finite() || !pen_path.finite())

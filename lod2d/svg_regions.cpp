@@ -116,6 +116,11 @@ FilledPath Regions::covered_by(const SvgStroke& stroke) const {
     if (count_edge_pairs({pieces.rings}, clean.most_edge_pairs) > clean.most_edge_pairs)
         exceed("a stroke's outline is too intricate: more than " +
                std::to_string(clean.most_edge_pairs) + " pairs of edges that may cross");
+    // The pieces of one line cross their neighbours; a scribble crosses all of itself.
+    const std::uint64_t most = clean.most_crossings + 20 * pieces.rings.size();
+    if (count_crossings({pieces.rings}, most) > most)
+        exceed("a stroke is too intricate: more than " + std::to_string(clean.most_crossings) +
+               " crossings of its outline");
     FilledPath covered = path_along(united(pieces));
     covered.path.transform(stroke.to_page);
     return covered;

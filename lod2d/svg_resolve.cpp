@@ -125,25 +125,34 @@ bool are_alike(const Box& a, const Box& b, double tolerance) {
            (a.high - b.high).cwiseAbs().maxCoeff() < tolerance;
 }
 
-/// The whole drawing, as large as Cairo's numbers allow. What lies further out than they reach
-/// comes back at another place each time that the scale is another.
+/// The box of all that it draws, and how far that is rounded. What lies further out than Cairo's
+/// numbers reach comes back at another place each time that the scale is another.
+struct Extent {
+    Box box;
+    double rounding = 0;
+};
+Extent extent_of(const std::string& name, const Renderer& renderer, const Point& size) {
+    const double page = size.maxCoeff();
+    for (const double side : {2048.0, 32.0, 0.5}) {  // of the page [Cairo's units]
+        const Box box = box_of(renderer.draw(side / page, size / 2));
+        const Box other = box_of(renderer.draw(0.7123 * side / page, size / 2));
+        const double rounding = page / side * 2;
+        if (are_alike(box, other, rounding)) return {box, rounding};
+    }
+    lod::refuse_input("cannot read " + name,
+                      "parts of it lie millions of pages outside its page; delete them");
+}
+
+/// The whole drawing, as large as Cairo's numbers allow.
 SvgDrawing at_full_size(const std::string& name, const Renderer& renderer, const Point& size) {
-    const double extent = size.maxCoeff();
-    const Point middle = size / 2;
-    const Box first = box_of(renderer.draw(2048 / extent, middle));
-    const Box second = box_of(renderer.draw(1459 / extent, middle));
-    const double rounding = extent / 1024;
-    const auto check = [&](bool alike) {
-        if (!alike)
-            lod::refuse_input("cannot read " + name,
-                              "parts of it lie thousands of pages outside its page; delete them");
-    };
-    check(are_alike(first, second, rounding));
-    if (first.is_empty()) return renderer.draw(2048 / extent, middle);
-    const double reach = first.size().maxCoeff() + rounding;
+    const auto [box, rounding] = extent_of(name, renderer, size);
+    if (box.is_empty()) return renderer.draw(2048 / size.maxCoeff(), size / 2);
+    const double reach = box.size().maxCoeff() + 2 * rounding;
     SvgDrawing drawing =
-        renderer.draw(Renderer::canvas / 2 / reach, {first.centre().x(), -first.centre().y()});
-    check(are_alike(first, box_of(drawing), rounding));
+        renderer.draw(Renderer::canvas / 2 / reach, {box.centre().x(), -box.centre().y()});
+    if (!are_alike(box, box_of(drawing), 2 * rounding))
+        lod::refuse_input("cannot read " + name,
+                          "it is drawn in another way at each size; save it as a plain SVG");
     return drawing;
 }
 

@@ -71,9 +71,9 @@ bool is_opaque_colour(std::string_view text) {
     return is_common_colour(text) || is_hexadecimal_colour(text) || is_rgb_colour(text);
 }
 
-std::optional<SvgPaint> paint_of(std::string_view text, const GradientPaint& gradient) {
-    if (text == "none" || text == "transparent") return SvgPaint::none;
-    if (is_opaque_colour(text)) return SvgPaint::whole;
+std::optional<SvgGradient> paint_of(std::string_view text, const GradientPaint& gradient) {
+    if (text == "none" || text == "transparent") return SvgGradient{SvgPaint::none, false};
+    if (is_opaque_colour(text)) return SvgGradient{SvgPaint::whole, false};
     if (text.starts_with("url(#") && text.ends_with(')') &&
         text.find_first_of(")'\" ") == text.size() - 1)
         return gradient(text.substr(5, text.size() - 6));
@@ -126,10 +126,10 @@ class PlainReader {
     /// Whether the declaration is understood, or without effect on outlines.
     bool take(std::string_view property, std::string_view value) {
         if (value == "inherit") return !is_read(property);
-        if (property == "fill") return take_paint(value, style_.fill);
+        bool fill_by_box = false;  // what is flat has no fill in any case
+        if (property == "fill") return take_paint(value, style_.fill, fill_by_box);
         if (property == "stroke") {
-            style_.stroke_by_gradient = value.starts_with("url(");
-            return take_paint(value, style_.stroke);
+            return take_paint(value, style_.stroke, style_.stroke_by_box);
         }
         if (property == "fill-opacity") return take_seen(value, style_.fill_seen);
         if (property == "stroke-opacity") return take_seen(value, style_.stroke_seen);
@@ -165,9 +165,10 @@ class PlainReader {
                is_one_of(property, {"display", "visibility", "opacity"}) ||
                std::ranges::find(harmless, property, &Harmless::property) != harmless.end();
     }
-    bool take_paint(std::string_view value, SvgPaint& paint) {
+    bool take_paint(std::string_view value, SvgPaint& paint, bool& of_box) {
         const auto found = paint_of(value, gradient_);
-        if (found) paint = *found;
+        if (found) paint = found->paint;
+        if (found) of_box = found->of_box;
         return found.has_value();
     }
     static bool take_seen(std::string_view value, bool& seen) {

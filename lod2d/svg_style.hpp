@@ -25,7 +25,7 @@ struct SvgStyle {
     FillRule rule = FillRule::nonzero;
     SvgPaint stroke = SvgPaint::none;
     bool stroke_seen = true;
-    bool stroke_by_gradient = false;  ///< which leaves nothing on an upright line
+    bool stroke_by_box = false;  ///< by a gradient of the path's box: nothing where it is flat
     StrokeStyle pen;
     bool visible = true;
     bool drawn = true;  ///< no display: none and no opacity: 0 on the way here
@@ -35,7 +35,11 @@ struct SvgStyle {
 /// where nothing in them takes more than a table to understand: nothing for whatever does (then
 /// svg_resolve.hpp is asked). `gradient` tells what the gradient of an id leaves, nothing where
 /// there is none that is plain.
-using GradientPaint = std::function<std::optional<SvgPaint>(std::string_view id)>;
+struct SvgGradient {
+    SvgPaint paint = SvgPaint::whole;
+    bool of_box = true;  ///< in units of the box of what it paints
+};
+using GradientPaint = std::function<std::optional<SvgGradient>(std::string_view id)>;
 [[nodiscard]] std::optional<SvgStyle> plain_style(const pugi::xml_node& element,
                                                   const SvgStyle& parent,
                                                   const GradientPaint& gradient);

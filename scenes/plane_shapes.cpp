@@ -52,6 +52,7 @@ PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice
     raise(settings.outline.clean.most_points, choice.raise_limits);
     raise(settings.outline.clean.most_edge_pairs, choice.raise_limits);
     raise(settings.outline.clean.most_sweep_steps, choice.raise_limits);
+    raise(settings.outline.clean.most_crossings, choice.raise_limits);
     lod2d::Shape shape =
         lod2d::load_shape(in_package(spec) ? package_file(spec).string() : spec, settings);
     if (!choice.size || !lod2d::names_generator(spec)) return shape;
