@@ -143,13 +143,14 @@ Extent extent_of(const std::string& name, const Renderer& renderer, const Point&
                       "parts of it lie millions of pages outside its page; delete them");
 }
 
-/// The whole drawing, as large as Cairo's numbers allow.
+/// The whole drawing, so large that its coordinates keep 29 bits; newer librsvg leaves out what is
+/// drawn larger.
 SvgDrawing at_full_size(const std::string& name, const Renderer& renderer, const Point& size) {
     const auto [box, rounding] = extent_of(name, renderer, size);
     if (box.is_empty()) return renderer.draw(2048 / size.maxCoeff(), size / 2);
     const double reach = box.size().maxCoeff() + 2 * rounding;
     SvgDrawing drawing =
-        renderer.draw(Renderer::canvas / 2 / reach, {box.centre().x(), -box.centre().y()});
+        renderer.draw(Renderer::canvas / 4 / reach, {box.centre().x(), -box.centre().y()});
     if (!are_alike(box, box_of(drawing), 2 * rounding))
         lod::refuse_input("cannot read " + name,
                           "it is drawn in another way at each size; save it as a plain SVG");
