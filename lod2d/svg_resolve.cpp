@@ -3,6 +3,7 @@
 #include <cairo-script.h>
 #include <librsvg/rsvg.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -130,31 +131,54 @@ bool are_alike(const Box& a, const Box& b, double tolerance) {
 struct Extent {
     Box box;
     double rounding = 0;
+    std::size_t marks = 0;  ///< fills and strokes
 };
+
+std::size_t count_marks(const SvgDrawing& drawing) {
+    return drawing.fills.size() + drawing.strokes.size();
+}
+
 Extent extent_of(const std::string& name, const Renderer& renderer, const Point& size) {
     const double page = size.maxCoeff();
     for (const double side : {2048.0, 32.0, 0.5}) {  // of the page [Cairo's units]
-        const Box box = box_of(renderer.draw(side / page, size / 2));
+        const SvgDrawing drawing = renderer.draw(side / page, size / 2);
+        const Box box = box_of(drawing);
         const Box other = box_of(renderer.draw(0.7123 * side / page, size / 2));
         const double rounding = page / side * 2;
-        if (are_alike(box, other, rounding)) return {box, rounding};
+        if (are_alike(box, other, rounding)) return {box, rounding, count_marks(drawing)};
     }
     lod::refuse_input("cannot read " + name,
                       "parts of it lie millions of pages outside its page; delete them");
 }
 
-/// The whole drawing, so large that its coordinates keep 29 bits; newer librsvg leaves out what is
-/// drawn larger.
-SvgDrawing at_full_size(const std::string& name, const Renderer& renderer, const Point& size) {
-    const auto [box, rounding] = extent_of(name, renderer, size);
-    if (box.is_empty()) return renderer.draw(2048 / size.maxCoeff(), size / 2);
-    const double reach = box.size().maxCoeff() + 2 * rounding;
-    SvgDrawing drawing =
-        renderer.draw(Renderer::canvas / 4 / reach, {box.centre().x(), -box.centre().y()});
-    if (!are_alike(box, box_of(drawing), 2 * rounding))
-        lod::refuse_input("cannot read " + name,
-                          "it is drawn in another way at each size; save it as a plain SVG");
-    return drawing;
+/// A drawing, and the share of its size that its coordinates are right to.
+struct FullSize {
+    SvgDrawing drawing;
+    double precision = 0;
+};
+
+/// The whole drawing, as large as librsvg draws all of it: newer releases leave out what they take
+/// to be beyond Cairo's numbers.
+FullSize at_full_size(const std::string& name, const Renderer& renderer, const Point& size) {
+    const Extent extent = extent_of(name, renderer, size);
+    if (extent.marks == 0) return {renderer.draw(2048 / size.maxCoeff(), size / 2), 0};
+    const Point middle(extent.box.centre().x(), -extent.box.centre().y());
+    const double reach = extent.box.size().maxCoeff() + 2 * extent.rounding;
+    for (double side = Renderer::canvas / 4; side > 4000; side /= 2) {
+        SvgDrawing drawing = renderer.draw(side / reach, middle);
+        if (count_marks(drawing) >= extent.marks &&
+            are_alike(extent.box, box_of(drawing), 2 * extent.rounding))
+            return {std::move(drawing), 0x1p-9 / side};
+    }
+    lod::refuse_input("cannot read " + name,
+                      "it is drawn in another way at each size; save it as a plain SVG");
+}
+
+/// The next power of ten above, as "1e-9".
+std::string power_of_ten(double value) {
+    int exponent = 0;
+    for (double power = 0.1; power >= value && exponent < 12; power /= 10) ++exponent;
+    return "1e-" + std::to_string(exponent);
 }
 
 }  // namespace
@@ -162,7 +186,7 @@ SvgDrawing at_full_size(const std::string& name, const Renderer& renderer, const
 SvgDrawing resolve_svg(const SvgXml& xml, const SvgSettings& settings) {
     PreparedSvg svg = prepare_svg(xml, settings);
     const Renderer renderer(xml.name, svg);
-    SvgDrawing drawing = at_full_size(xml.name, renderer, svg.size);
+    auto [drawing, precision] = at_full_size(xml.name, renderer, svg.size);
     svg.notes.whole.insert(svg.notes.whole.end(), drawing.notes.whole.begin(),
                            drawing.notes.whole.end());
     drawing.notes = std::move(svg.notes);
@@ -170,7 +194,8 @@ SvgDrawing resolve_svg(const SvgXml& xml, const SvgSettings& settings) {
         drawing.notes.remarks.begin(),
         "outlines come through librsvg " + std::to_string(rsvg_major_version) + "." +
             std::to_string(rsvg_minor_version) + "." + std::to_string(rsvg_micro_version) +
-            ", to about 1e-9 of the drawing's size (its circles to 3e-4 of their radius)");
+            ", to about " + power_of_ten(precision) +
+            " of the drawing's size (its circles to 3e-4 of their radius)");
     if (svg.paged) {
         Box page;
         page.hold({0, 0});

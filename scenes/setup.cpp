@@ -48,10 +48,20 @@ std::string remark_on_source(const BodySpec& spec) {
 }
 
 template <int Dim>
+typename Stock<Dim>::ShapeKey key_of(const BodySpec& spec) {
+    return {spec.file.empty() ? spec.shape : spec.file.string(),
+            spec.size,
+            spec.fill,
+            spec.strokes,
+            spec.page,
+            spec.strict};
+}
+
+template <int Dim>
 typename Stock<Dim>::SharedShape shape_of(const BodySpec& spec, double raise_limits,
                                           Stock<Dim>& stock, std::vector<std::string>& warnings) {
     const std::string name = spec.file.empty() ? spec.shape : spec.file.string();
-    auto& shape = stock.shapes[{name, spec.size, spec.fill, spec.strokes, spec.page, spec.strict}];
+    auto& shape = stock.shapes[key_of<Dim>(spec)];
     if (!shape) {
         shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::named(
             name, {spec.size, spec.fill, raise_limits, spec.strokes, spec.strict, spec.page}));
@@ -125,7 +135,7 @@ void add_body(const BodySpec& spec, const SetupOptions& options,
               const std::function<void(double)>& progress, Setup<Dim>& setup, Stock<Dim>& stock) {
     typename Stock<Dim>::SharedTree tree;
     if (spec.shape == half_space_name) {
-        auto& shape = stock.shapes[{spec.shape, std::nullopt, false}];
+        auto& shape = stock.shapes[key_of<Dim>(spec)];
         if (!shape) shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::half_space());
         setup.shapes.push_back(shape);
         tree = std::make_shared<const lod::SphereTree<Dim>>(
