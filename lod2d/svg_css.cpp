@@ -4,27 +4,10 @@
 #include <vector>
 
 #include "lodlab/lod2d/svg_text.hpp"
+#include "lodlab/lod2d/svg_words.hpp"
 
 namespace lod2d {
 namespace {
-
-constexpr std::string_view spaces = " \t\r\n\f";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(spaces);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(spaces) - first + 1);
-}
-
-std::string lower(std::string_view text) {
-    std::string result(text);
-    for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return result;
-}
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::ranges::find(words, word) != words.end();
-}
 
 /// Where the string that begins at `i` ends, or i itself.
 std::size_t after_string(std::string_view text, std::size_t i) {
@@ -41,8 +24,8 @@ std::size_t find_outside(std::string_view text, std::string_view wanted, std::si
     for (; i < text.size(); ++i) {
         i = after_string(text, i);
         if (depth == 0 && wanted.find(text[i]) != std::string_view::npos) return i;
-        if (text[i] == '(' || text[i] == '[' || text[i] == '{') ++depth;
-        if (depth > 0 && (text[i] == ')' || text[i] == ']' || text[i] == '}')) --depth;
+        if (std::string_view("([{").find(text[i]) != std::string_view::npos) ++depth;
+        if (depth > 0 && std::string_view(")]}").find(text[i]) != std::string_view::npos) --depth;
     }
     return text.size();
 }
@@ -130,10 +113,9 @@ std::string lower_outside_links(std::string_view text) {
     return result;
 }
 
-bool holds_call(const std::string& text, std::initializer_list<std::string_view> functions) {
-    return std::ranges::any_of(functions, [&](std::string_view function) {
-        return text.find(std::string(function) + "(") != std::string::npos;
-    });
+bool holds_call(const std::string& text, std::initializer_list<std::string> functions) {
+    const auto called = [&](const std::string& f) { return text.find(f + "(") != text.npos; };
+    return std::ranges::any_of(functions, called);
 }
 
 /// What a property is where nothing is said, for those whose keywords are put in place.
@@ -368,8 +350,7 @@ void SvgCss::check_selector(std::string_view selector) {
 
 std::string SvgCss::at_rule(std::string_view name, std::string_view prelude,
                             std::string_view block) {
-    if (is_one_of(name, {"charset", "namespace", "font-face", "keyframes", "-webkit-keyframes",
-                         "page", "counter-style", "property", "font-feature-values"}))
+    if (is_one_of(name, {"charset", "namespace", "font-face", "keyframes", "page", "property"}))
         return {};
     if (name == "import") {
         notes_.doubt("its style sheet imports another (" + std::string(prelude) +

@@ -5,16 +5,13 @@
 #include <set>
 #include <unordered_map>
 
+#include "lodlab/lod2d/svg_words.hpp"
 #include "lodlab/lod2d/svg_xml.hpp"
 
 namespace lod2d {
 namespace {
 
 using pugi::xml_node;
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::ranges::find(words, word) != words.end();
-}
 
 /// The value of a property in `style` or as an attribute.
 std::string property_of(const xml_node& node, const std::string& name) {

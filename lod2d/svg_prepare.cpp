@@ -7,15 +7,12 @@
 #include "lodlab/lod2d/svg_css.hpp"
 #include "lodlab/lod2d/svg_mask.hpp"
 #include "lodlab/lod2d/svg_uses.hpp"
+#include "lodlab/lod2d/svg_words.hpp"
 
 namespace lod2d {
 namespace {
 
 using pugi::xml_node;
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::ranges::find(words, word) != words.end();
-}
 
 /// Attributes that CSS reads.
 bool is_presentation(std::string_view name) {

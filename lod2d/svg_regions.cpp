@@ -121,7 +121,17 @@ FilledPath Regions::covered_by(const SvgStroke& stroke) const {
     if (count_crossings({pieces.rings}, most) > most)
         exceed("a stroke is too intricate: more than " + std::to_string(clean.most_crossings) +
                " crossings of its outline");
-    FilledPath covered = path_along(united(pieces));
+    // A few pieces at a time: what overlaps still, all the regions' union takes together.
+    constexpr std::size_t at_once = 100;
+    Outline covering;
+    for (std::size_t i = 0; i < pieces.rings.size(); i += at_once) {
+        const auto first = pieces.rings.begin() + static_cast<std::ptrdiff_t>(i);
+        const std::size_t count = std::min(at_once, pieces.rings.size() - i);
+        Outline some = united({{first, first + static_cast<std::ptrdiff_t>(count)}});
+        std::ranges::move(some.rings, std::back_inserter(covering.rings));
+        lod::check_interrupted();
+    }
+    FilledPath covered = path_along(covering);
     covered.path.transform(stroke.to_page);
     return covered;
 }

@@ -6,22 +6,11 @@
 #include <pugixml.hpp>
 
 #include "lodlab/lod2d/svg_text.hpp"
+#include "lodlab/lod2d/svg_words.hpp"
 #include "lodlab/lod2d/svg_xml.hpp"
 
 namespace lod2d {
 namespace {
-
-constexpr std::string_view spaces = " \t\r\n\f";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(spaces);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(spaces) - first + 1);
-}
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-    return std::ranges::find(words, word) != words.end();
-}
 
 std::optional<double> number_in(std::string_view text) {
     SvgReader reader(trimmed(text));

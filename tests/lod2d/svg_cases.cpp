@@ -1,52 +1,12 @@
+#include "tests/lod2d/svg_case.hpp"
+
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/lod2d/svg.hpp"
-#include "tests/catch.hpp"
-
 using namespace lod2d;
+using namespace lod2d::svg_cases;
 using std::numbers::pi;
 
-namespace {
-
-/// A small drawing and how full its shape's square is: area / (longer side of its box)^2.
-struct Case {
-    const char* body;
-    double fullness;
-};
-
-// What is to be seen of most drawings: 8 x 4, half of its square. What must not be seen is larger.
-#define SEEN "<rect x='4' y='4' width='8' height='4'/>"
-constexpr double half = 0.5;
-
-Shape shape_of_body(const std::string& body, bool strokes = false) {
-    SvgSettings settings;
-    settings.outline.tolerance = 1e-5;
-    settings.strokes = strokes;
-    return parse_svg("case.svg",
-                     "<svg xmlns='http://www.w3.org/2000/svg' "
-                     "xmlns:xlink='http://www.w3.org/1999/xlink' viewBox='0 0 40 40'>" +
-                         body + "</svg>",
-                     settings);
-}
-
-template <std::size_t n>
-void check(const Case (&cases)[n], double epsilon = 1e-6) {
-    for (const Case& one : cases) {
-        INFO(one.body);
-        CHECK(shape_of_body(one.body).area == Approx(one.fullness).epsilon(epsilon));
-    }
-}
-
-std::string remarks_of(const Shape& shape) {
-    std::string all;
-    for (const std::string& line : shape.remarks) all += line + "\n";
-    return all;
-}
-
-}  // namespace
-
-TEST_CASE("style sheets decide as in a browser", "[svg][svg-cases]") {
+TEST_CASE("style sheets decide by any selector, after any rule", "[svg][svg-cases]") {
     const Case cases[] = {
         {"<style>.g{fill:none}</style><rect class='g' width='40' height='40'/>" SEEN, half},
         {"<style>@import url(x.css);.g{fill:none}</style><rect class='g' width='40' "
@@ -79,6 +39,12 @@ TEST_CASE("style sheets decide as in a browser", "[svg][svg-cases]") {
          "height='4'/><g/><rect width='40' height='40'/>",
          half},
         {"<style>[width='40']{fill:none}</style><rect width='40' height='40'/>" SEEN, half},
+    };
+    check(cases);
+}
+
+TEST_CASE("style sheets decide by order, weight and spelling", "[svg][svg-cases]") {
+    const Case cases[] = {
         {"<style>rect:first-of-type{fill:none}</style><rect width='40' height='40'/>" SEEN, half},
         {"<style>rect:not(.k){fill:none}</style><rect width='40' height='40'/><rect class='k' "
          "x='4' y='4' width='8' height='4'/>",
@@ -106,6 +72,12 @@ TEST_CASE("style sheets decide as in a browser", "[svg][svg-cases]") {
         {"<style>/* } */.g/**/{/*fill:red*/fill:none}</style><rect class='g' width='40' "
          "height='40'/>" SEEN,
          half},
+    };
+    check(cases);
+}
+
+TEST_CASE("style sheets have media, variables and keywords as in a browser", "[svg][svg-cases]") {
+    const Case cases[] = {
         {"<style media='print'>.k{fill:none}</style><rect class='k' x='4' y='4' width='8' "
          "height='4'/>",
          half},
@@ -274,181 +246,4 @@ TEST_CASE("transforms and lengths of CSS move and size", "[svg][svg-cases]") {
         {"<ellipse rx='4'/>", pi / 4},
     };
     check(round, 3e-4);  // the library's circles
-}
-
-TEST_CASE("pens have joins, caps, limits and dashes", "[svg][svg-cases]") {
-    // An arm of 20 and one of 20 under a pen of 4: the corner is (22, 2) out, or cut.
-    constexpr double corner = 22.0 * 22.0;
-    const Case cases[] = {
-        {"<path d='M4 4H24V24' fill='none' stroke='#000' stroke-width='4'/>", 160 / corner},
-        {"<path d='M4 4H24V24' fill='none' stroke='#000' stroke-width='4' "
-         "stroke-linejoin='bevel'/>",
-         158 / corner},
-        {"<path d='M4 4H24V24' fill='none' stroke='#000' stroke-width='4' "
-         "stroke-miterlimit='1.4'/>",
-         158 / corner},
-        {"<path d='M4 4H24V24' fill='none' stroke='#000' stroke-width='4' "
-         "stroke-miterlimit='1.42'/>",
-         160 / corner},
-        {"<path d='M4 4H24V24' fill='none' stroke='#000' stroke-width='4' "
-         "stroke-linecap='square'/>",
-         176 / 576.0},
-        {"<path d='M2 10H22' fill='none' stroke='#000' stroke-width='4'/>", 0.2},
-        {"<path d='M2 10H22' stroke='#000' stroke-width='4'/>", 0.2},
-        {"<polyline points='2,10 10,10 22,10' stroke='#000' stroke-width='4'/>", 0.2},
-        {"<path d='M2 10H22' fill='none' stroke='#000' stroke-width='4' stroke-dasharray='4'/>",
-         0.12},
-        {"<path d='M2 10H22' fill='none' stroke='#000' stroke-width='4' stroke-dasharray='4 4' "
-         "stroke-dashoffset='8'/>",
-         0.12},
-        {"<path d='M2 10H22' fill='none' stroke='#000' stroke-width='4' stroke-dasharray='8 0'/>",
-         0.2},
-        {"<path d='M2 10H22' fill='none' stroke='#000' stroke-width='4' stroke-dasharray='0 0'/>",
-         0.2},
-        {"<path d='M4 4h0' fill='none' stroke='#000' stroke-width='4' stroke-linecap='square'/>",
-         1},
-        {"<g transform='scale(2 1)'><path d='M2 10H12' fill='none' stroke='#000' "
-         "stroke-width='4'/></g>",
-         0.2},
-        {"<style>path{stroke:red;stroke-width:4;fill:none;stroke-dasharray:4,4}</style><path d='M2 "
-         "10H22'/>",
-         0.12},
-        {"<style>path{stroke:red;stroke-width:4;fill:none;stroke-linejoin:bevel}</style><path "
-         "d='M4 4H24V24'/>",
-         158 / corner},
-        {"<path d='M0 0H20V20H0V0' fill='none' stroke='#000' stroke-width='4'/>",
-         (24 * 24 - 16 * 16 - 4) / 576.0},
-    };
-    check(cases, 1e-5);
-    const Case round[] = {
-        {"<path d='M8 8H24' fill='none' stroke='#000' stroke-width='8' stroke-linecap='round'/>",
-         (128 + 16 * pi) / 576},
-        {"<path d='M4 4h0' fill='none' stroke='#000' stroke-width='4' stroke-linecap='round'/>",
-         pi / 4},
-        {"<circle r='8' fill='none' stroke='#000' stroke-width='4'/>", pi * (100 - 36) / 400},
-    };
-    check(round, 1e-3);
-}
-
-TEST_CASE("strokes beside fills are left out and said, or taken in", "[svg][svg-cases]") {
-    const std::string body =
-        "<rect x='2' y='2' width='8' height='8' stroke='red' stroke-width='4'/>"
-        "<path d='M0 20H12' stroke='red' stroke-width='2' fill='none'/>";
-    const Shape fills = shape_of_body(body);
-    CHECK(fills.area == Approx(1));
-    CHECK(remarks_of(fills).find("1 unfilled stroke, 1 stroke around a fill") != std::string::npos);
-    const Shape all = shape_of_body(body, true);
-    CHECK(all.area == Approx((144 + 24) / 441.0).epsilon(1e-6));
-    CHECK(all.remarks.empty());
-}
-
-TEST_CASE("what is left out, or not followed, is said and refused strictly", "[svg][svg-cases]") {
-    struct Said {
-        const char* body;
-        const char* words;
-    };
-    const Said cases[] = {
-        {SEEN "<text x='4'>A</text><text>B</text><image href='x.png' width='9' height='9'/>",
-         "left out 2 texts, 1 image"},
-        {SEEN "<path d='M0 0H9' stroke='red' fill='none'/>", "1 unfilled stroke"},
-        {"<filter id='f'/>" SEEN "<rect width='1' height='1' x='5' y='5' style='filter:url(#f)'/>",
-         "1 filter"},
-        {"<linearGradient id='n'><stop/><stop offset='1' stop-opacity='0'/></linearGradient><rect "
-         "width='8' height='4' fill='url(#n)'/>",
-         "1 gradient that fades"},
-        {"<pattern id='p' width='2' height='2'><rect width='1' height='1'/></pattern><rect "
-         "width='8' height='4' fill='url(#p)'/>",
-         "1 pattern"},
-        {"<mask id='m'><rect width='9' height='9'/><rect fill='#fff' width='9' "
-         "height='9'/></mask><rect width='8' height='4' mask='url(#m)'/>",
-         "1 mask"},
-        {"<style>.a{fill:var(--q)}</style>" SEEN "<rect class='a' x='4' y='4' width='1' "
-         "height='1'/>",
-         "var(--q)"},
-        {"<style>@media (min-width:9px){.a{fill:none}}</style>" SEEN, "@media (min-width:9px)"},
-        {"<style>@supports (x:y){.a{fill:none}}</style>" SEEN, "@supports"},
-        {"<style>@import 'a.css';</style>" SEEN, "imports another"},
-        {"<style>rect:is(.q){fill:none}</style>" SEEN, ":is"},
-        {"<style>rect{transform-origin:50% 50%}</style>" SEEN, "transform-origin"},
-        {"<rect x='4' y='4' width='8' height='4'><animate attributeName='x' to='9'/></rect>",
-         "1 animation"},
-        {"<script>1</script>" SEEN, "1 script"},
-        {SEEN "<use href='other.svg#a'/>", "another file"},
-        {SEEN "<foreignObject width='9' height='9'/>", "1 foreignObject"},
-        {"<rect x='30' y='4' width='20' height='10'/>", "1 shape lies in part outside its page"},
-    };
-    for (const Said& one : cases) {
-        INFO(one.body);
-        const Shape shape = shape_of_body(one.body);
-        INFO(remarks_of(shape));
-        CHECK(shape.area == Approx(half).epsilon(1e-6));
-        CHECK(remarks_of(shape).find(one.words) != std::string::npos);
-        SvgSettings settings;
-        settings.strict = true;
-        const std::string text = std::string("<svg viewBox='0 0 40 40'>") + one.body + "</svg>";
-        try {
-            (void)parse_svg("strict.svg", text, settings);
-            FAIL("accepted");
-        } catch (const lod::Error& error) {
-            CHECK(error.kind() == lod::ErrorKind::input_refused);
-            CHECK(std::string(error.what()).find(one.words) != std::string::npos);
-        }
-    }
-}
-
-TEST_CASE("a plain drawing needs no library, and others say which", "[svg][svg-cases]") {
-    const char* plain[] = {
-        SEEN,
-        "<g transform='scale(2)'>" SEEN "</g>",
-        "<rect width='8' height='4' style='fill:#123456;stroke:none;font-family:\"A B\"'/>",
-        "<defs><linearGradient id='g'><stop style='stop-color:#fff'/></linearGradient></defs><rect "
-        "width='8' height='4' fill='url(#g)'/>",
-        "<title>t</title><desc>d</desc><metadata/>" SEEN,
-    };
-    for (const char* body : plain) {
-        INFO(body);
-        CHECK(shape_of_body(body).remarks.empty());
-    }
-    for (const char* body : {"<style/>" SEEN, "<use href='#a'/><rect id='a' width='8' height='4'/>",
-                             "<rect width='8' height='4' style='FILL:red'/>"}) {
-        INFO(body);
-        CHECK(remarks_of(shape_of_body(body)).find("through librsvg") != std::string::npos);
-    }
-}
-
-TEST_CASE("by its page a drawing is cut off and stretched", "[svg][svg-cases]") {
-    const auto area = [](const char* text) {
-        SvgSettings settings;
-        settings.page = true;
-        return parse_svg("page.svg", text, settings).area;
-    };
-    CHECK(area("<svg viewBox='0 0 40 40'><rect x='32' y='0' width='99' height='4'/></svg>") ==
-          Approx(half).epsilon(1e-6));
-    CHECK(area("<svg width='80' height='40' viewBox='0 0 40 40'><rect x='-99' y='0' width='999' "
-               "height='40'/></svg>") == Approx(half).epsilon(1e-6));
-    CHECK(area("<svg width='80' height='40' viewBox='0 0 40 40' preserveAspectRatio='none'><rect "
-               "width='40' height='40'/></svg>") == Approx(half).epsilon(1e-6));
-}
-
-TEST_CASE("lengths of the page that set no scale are no reason to refuse", "[svg][svg-cases]") {
-    for (const char* attributes :
-         {"width='100vw' height='100vh' viewBox='0 0 40 40'", "viewBox='0 0 40mm 40mm'",
-          "width='calc(1px + 2px)'", "width='auto' height='auto'", "viewBox=''", "viewBox='0 0 40'",
-          "width='40mm' height='40mm' viewBox='0,0 40,40'"}) {
-        INFO(attributes);
-        CHECK(parse_svg("page.svg", std::string("<svg ") + attributes + ">" SEEN "</svg>").area ==
-              Approx(half).epsilon(1e-8));
-    }
-}
-
-TEST_CASE("a drawing in UTF-16 is read, and its errors name its lines", "[svg][svg-cases]") {
-    const std::string text = "<svg>\n\n<rect width='1' height='1' transform='spin(3)'/></svg>";
-    std::string wide = "\xFF\xFE";
-    for (const char c : text) wide += {c, '\0'};
-    try {
-        (void)parse_svg("wide.svg", wide);
-        FAIL("accepted");
-    } catch (const lod::Error& error) {
-        CHECK(std::string(error.what()).find("line 3, column 2") != std::string::npos);
-    }
 }
