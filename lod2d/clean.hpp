@@ -36,7 +36,8 @@ struct CleanSettings {
 /// are allowed: they are one rigid body.
 ///
 /// Coordinates are put on a grid of 2^-29 to 2^-30 of the longer side's half; crossings are rounded
-/// to it. `name` stands in the errors. Throws lod::Error: input refused where a coordinate is not
+/// to it, and all points to every 16th line or coarser ones where edges run side by side within a
+/// few steps. `name` stands in the errors. Throws lod::Error: input refused where a coordinate is not
 /// finite or beyond 1e60, or nothing is enclosed; limit exceeded (naming the limit) beyond the
 /// settings.
 [[nodiscard]] Polygon clean(const std::string& name, std::span<const Outline> outlines,
