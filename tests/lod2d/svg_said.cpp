@@ -184,3 +184,34 @@ TEST_CASE("a drawing in UTF-16 is read, and its errors name its lines", "[svg][s
         CHECK(std::string(error.what()).find("line 3, column 2") != std::string::npos);
     }
 }
+
+TEST_CASE("a compressed drawing is read, within the limit of bytes", "[svg][svg-cases]") {
+    const std::string packed(
+        "\x1f\x8b\x08\x00\x00\x00\x00\x00\x02\x03\xb3\x29\x2e\x4b\xb7\xb3"
+        "\x29\x4a\x4d\x2e\x51\x28\xcf\x4c\x29\xc9\xb0\x55\xb7\x50\x57\xc8"
+        "\x48\xcd\x4c\xcf\x28\xb1\x55\x37\x51\xd7\xb7\xb3\xd1\x07\xa9\x00"
+        "\x00\x36\xca\x6b\x29\x27\x00\x00\x00",
+        57);
+    CHECK(parse_svg("box.svgz", packed).area == Approx(half).epsilon(1e-8));
+    SvgSettings settings;
+    settings.most_bytes = 20;
+    CHECK_THROWS_AS(parse_svg("box.svgz", packed, settings), lod::Error);
+    CHECK_THROWS_AS(parse_svg("box.svgz", packed.substr(0, 30)), lod::Error);
+}
+
+TEST_CASE("a scribble of thousands of lines ends at a named limit", "[svg][svg-cases]") {
+    std::string d = "M0 0";
+    for (int i = 1; i < 3000; ++i) {  // scattered by a multiplier that shares nothing with 1009
+        d.append(" ").append(std::to_string(i * 389 % 1009));
+        d.append(" ").append(std::to_string(i * i % 1013));
+    }
+    for (const char* ink : {"", " fill='none' stroke='#000'"}) {
+        try {
+            (void)parse_svg("scribble.svg", "<svg><path d='" + d + "'" + ink + "/></svg>");
+            FAIL("accepted");
+        } catch (const lod::Error& error) {
+            CHECK(error.kind() == lod::ErrorKind::limit_exceeded);
+            CHECK(std::string(error.what()).find("120000 crossings") != std::string::npos);
+        }
+    }
+}
