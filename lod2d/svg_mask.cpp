@@ -47,7 +47,11 @@ class Masks {
     }
 
     void resolve(xml_node node) {
-        for (xml_node child : node.children()) resolve(child);
+        for (xml_node child = node.first_child(); child;) {
+            const xml_node next = child.next_sibling();  // a masked child may move into a group
+            resolve(child);
+            child = next;
+        }
         if (is_one_of(local_name(node.name()), {"mask", "clipPath"})) return;
         const std::string filter = property_of(node, "filter");
         if (!filter.empty() && filter != "none")

@@ -240,7 +240,7 @@ void Preparation::prepare_attributes(xml_node node) {
             attribute.set_value(value.c_str());
     }
     for (const std::string& name : dropped) node.remove_attribute(name.c_str());
-    if (node.attribute("pathLength") && local_name(node.name()) != "path")
+    if (node.attribute("pathLength") && xml_.source.find("dash") != std::string::npos)
         prepared_.notes.doubt("it measures dashes by pathLength, which is not followed here");
 }
 

@@ -213,6 +213,10 @@ TEST_CASE("clips and simple masks cut", "[svg][svg-cases]") {
         {"<mask id='m' fill='white'><use href='#u'/></mask><defs><rect id='u' width='8' "
          "height='4'/></defs><g mask='url(#m)'><rect width='40' height='40'/></g>",
          half},
+        {"<mask id='m'><rect width='8' height='40' fill='#fff'/></mask><clipPath id='c'><rect "
+         "width='40' height='4'/></clipPath><g mask='url(#m)' clip-path='url(#c)'><rect width='40' "
+         "height='40'/></g><rect width='40' height='40' mask='url(#m)' clip-path='url(#c)'/>",
+         half},
         {"<mask id='m' style='mask-type:alpha'>" SEEN "</mask><rect width='40' height='40' "
          "style='mask:url(#m)'/>",
          half},

@@ -106,6 +106,7 @@ TEST_CASE("what is left out, or not followed, is said and refused strictly", "[s
          "1 animation"},
         {"<script>1</script>" SEEN, "1 script"},
         {SEEN "<use href='other.svg#a'/>", "another file"},
+        {SEEN "<path d='M5 5h5' pathLength='5' stroke='red' stroke-dasharray='1'/>", "pathLength"},
         {SEEN "<foreignObject width='9' height='9'/>", "1 foreignObject"},
         {"<rect x='30' y='4' width='20' height='10'/>", "1 shape lies in part outside its page"},
     };
