@@ -7,7 +7,7 @@ namespace {
 constexpr Command table[] = {
     {"tree", "Build, check, measure, draw and export the circle or sphere tree of a shape",
      "lodlab tree gear:9 --depth 4 --out gear.png --json",
-     "[SHAPE] --list --dim --size --fill --builder --branching --depth --nodes --error --effort --exported-level "
+     "[SHAPE] --list --dim --size --fill --strokes --page --strict --builder --branching --depth --nodes --error --effort --exported-level "
      "--out --no-cache --raise-limits --theme --quality --json", run_tree},
     {"collide", "One instant: intersecting nodes of each level, contacts, verdict",
      "lodlab collide offset_boxes --level 3 --out traversal.svg",

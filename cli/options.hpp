@@ -28,7 +28,10 @@ struct Options {
     std::optional<int> dim;             ///< 2 or 3; nothing: as the shape says
     std::optional<double> effort;       ///< of the search for spheres
     bool no_cache = false;
-    bool fill = false;  ///< open meshes, by winding number
+    bool fill = false;     ///< open meshes, by winding number
+    bool strokes = false;  ///< of drawings, beside fills too
+    bool page = false;     ///< drawings are cut off by their page
+    bool strict = false;   ///< no drawing of which something is left out
     bool list = false;
 
     std::optional<int> level;

@@ -50,8 +50,8 @@ constexpr double most_tests = 2'000'000'000;
 
 // clang-format off
 const Row rows[] = {
-    {"SHAPE", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9")->required(); }},
-    {"[SHAPE]", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9"); }},
+    {"SHAPE", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg, svgz; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9")->required(); }},
+    {"[SHAPE]", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg, svgz; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9"); }},
     {"SCENE", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), or the name of a scene that comes with lodlab")->required(); }},
     {"FIGURE", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the figure in the paper")->required(); }},
     {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the lesson; without it the lessons are listed"); }},
@@ -62,6 +62,9 @@ const Row rows[] = {
     {"--depth", [](CLI::App& a, Options& o) { a.add_option("--depth", o.depth, "levels below the root")->check(range(0, 12)); }},
     {"--dim", [](CLI::App& a, Options& o) { a.add_option("--dim", o.dim, "2: the plane, 3: space; without it as the shape says, else the plane")->check(range(2, 3)); }},
     {"--fill", [](CLI::App& a, Options& o) { a.add_flag("--fill", o.fill, "take an open mesh, filled by winding number; its inertia is approximate"); }},
+    {"--strokes", [](CLI::App& a, Options& o) { a.add_flag("--strokes", o.strokes, "the strokes of a drawing belong to the shape, beside its fills too"); }},
+    {"--page", [](CLI::App& a, Options& o) { a.add_flag("--page", o.page, "a drawing is stretched and cut off by its page, as a browser does"); }},
+    {"--strict", [](CLI::App& a, Options& o) { a.add_flag("--strict", o.strict, "refuse a drawing of which something is left out or taken in another way than a browser shows it"); }},
     {"--nodes", [](CLI::App& a, Options& o) { a.add_option("--nodes", o.nodes, "most nodes: levels that would take the tree beyond are left out")->check(range(1, most_tests)); }},
     {"--error", [](CLI::App& a, Options& o) { a.add_option("--error", o.error, "target: a node that stands out of the shape by no more than this share of the root's diameter is not divided")->check(range(0, 1)); }},
     {"--effort", [](CLI::App& a, Options& o) { a.add_option("--effort", o.effort, "of the search for spheres: 0.1 takes a fifth of the time and fits a tenth worse")->check(range(0, 100)); }},

@@ -141,7 +141,8 @@ void tree(const Options& options) {
                                     options.error,   options.nodes,     options.effort};
     static_cast<void>(Shapes::settings(choice));  // throws for an unknown builder
     const scenes::Shape<Dim> shape =
-        Shapes::named(options.shape, {options.size, options.fill, options.raise_limits});
+        Shapes::named(options.shape, {options.size, options.fill, options.raise_limits,
+                                      options.strokes, options.strict, options.page});
     for (const std::string& line : Shapes::remarks(shape)) remark(line);
     viz::Actor<Dim> actor{{shape.name, {}}, {}};
     actor.body.tree = built<Dim>(shape, choice, cache_of(options));

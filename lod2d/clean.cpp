@@ -92,6 +92,8 @@ void check_work(const std::string& name, const Polygon& all, const CleanSettings
     check(std::min(along_x, along_y), settings.most_sweep_steps, "edges to sweep over");
     check(count_edge_pairs(all, settings.most_edge_pairs), settings.most_edge_pairs,
           "pairs of edges that may cross");
+    check(count_crossings(all, settings.most_crossings), settings.most_crossings,
+          "crossings of its lines");
 }
 
 Paths unite(const std::string& name, const Paths& paths, ClipperLib::PolyFillType rule) {
@@ -202,14 +204,30 @@ Paths bent_through_near_points(const Paths& paths) {
     return bent;
 }
 
+/// Points on every so many grid lines.
+Paths on_coarse_grid(Paths paths, ClipperLib::cInt lines) {
+    const auto rounded = [lines](ClipperLib::cInt x) {
+        const ClipperLib::cInt up = x + lines / 2;
+        return up - (up % lines + lines) % lines;
+    };
+    for (Path& path : paths)
+        for (IntPoint& p : path) p = {rounded(p.X), rounded(p.Y)};
+    return paths;
+}
+
 /// A union rounds its crossings to the grid, by which edges may come to cross anew within a step:
-/// such edges are bent and united again until none cross.
+/// such edges are bent and united again until none cross. Where that does not end, because edges
+/// run side by side within a few steps, the points are first put on coarser grids, one after
+/// another.
 Paths settle(const std::string& name, Paths united, double least_area) {
     constexpr int most_rounds = 30;
-    for (int round = 0; round < most_rounds; ++round) {
-        Paths simple = simple_loops(united, least_area);
-        if (!crosses_itself(in_grid_steps(simple))) return simple;
-        united = unite(name, bent_through_near_points(simple), ClipperLib::pftNonZero);
+    for (const ClipperLib::cInt lines : {1, 16, 128, 1024}) {
+        if (lines > 1) united = unite(name, on_coarse_grid(united, lines), ClipperLib::pftNonZero);
+        for (int round = 0; round < most_rounds; ++round) {
+            Paths simple = simple_loops(united, least_area);
+            if (!crosses_itself(in_grid_steps(simple))) return simple;
+            united = unite(name, bent_through_near_points(simple), ClipperLib::pftNonZero);
+        }
     }
     refuse(lod::ErrorKind::input_refused, name,
            "its crossings lie too close together; simplify it");

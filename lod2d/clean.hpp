@@ -24,6 +24,8 @@ struct CleanSettings {
     /// Pairs of edges whose boxes meet, and edges passed by the sweep: what the time depends on.
     std::uint64_t most_edge_pairs = 50'000'000;
     std::uint64_t most_sweep_steps = 300'000'000;
+    /// Pairs of edges that do cross: what the size of the result, and the time of trees, depends on.
+    std::uint64_t most_crossings = 120'000;
     /// Parts and holes smaller than a square of this side are dropped (share of the longer side).
     double smallest_part = 1e-6;
 };
@@ -34,7 +36,8 @@ struct CleanSettings {
 /// are allowed: they are one rigid body.
 ///
 /// Coordinates are put on a grid of 2^-29 to 2^-30 of the longer side's half; crossings are rounded
-/// to it. `name` stands in the errors. Throws lod::Error: input refused where a coordinate is not
+/// to it, and all points to every 16th line or coarser ones where edges run side by side within a
+/// few steps. `name` stands in the errors. Throws lod::Error: input refused where a coordinate is not
 /// finite or beyond 1e60, or nothing is enclosed; limit exceeded (naming the limit) beyond the
 /// settings.
 [[nodiscard]] Polygon clean(const std::string& name, std::span<const Outline> outlines,

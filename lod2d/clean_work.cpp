@@ -87,6 +87,17 @@ std::uint64_t count_edge_pairs(const Polygon& rings, std::uint64_t most) {
     return count;
 }
 
+std::uint64_t count_crossings(const Polygon& rings, std::uint64_t most) {
+    const BoundaryIndex index(rings);
+    std::uint64_t count = 0;
+    visit_edge_pairs(index, [&](std::int32_t i, std::int32_t j) {
+        count += segments_cross(index.edge_start(i), index.edge_end(i), index.edge_start(j),
+                                index.edge_end(j));
+        return count <= most;
+    });
+    return count;
+}
+
 bool crosses_itself(const Polygon& rings) {
     const BoundaryIndex index(rings);
     bool crosses = false;

@@ -12,16 +12,19 @@ namespace {
 
 constexpr std::string_view text_prefix = "text:";
 
-bool is_svg_file(std::string_view spec) {
-    constexpr std::string_view ending = ".svg";
+bool ends_in(std::string_view spec, std::string_view ending) {
     if (spec.size() < ending.size()) return false;
-    return std::ranges::equal(spec.substr(spec.size() - ending.size()), ending, {}, [](char c) {
-        return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    });
+    return std::ranges::equal(
+        spec.substr(spec.size() - ending.size()), ending,
+        [](char c, char wanted) { return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == wanted; });
+}
+
+bool is_svg_file(std::string_view spec) {
+    return ends_in(spec, ".svg") || ends_in(spec, ".svgz");
 }
 
 std::string understood() {
-    std::string list = "give a file ending in .svg, text:R, or one of: ";
+    std::string list = "give a file ending in .svg or .svgz, text:R, or one of: ";
     for (const Generator& generator : generators())
         list += (&generator == generators().data() ? "" : ", ") + std::string(generator.name);
     return list;
@@ -39,6 +42,9 @@ Shape load_shape(std::string_view spec, const LoadSettings& settings) {
         svg.outline = settings.outline;
         svg.most_bytes = settings.most_bytes;
         svg.most_elements = settings.most_elements;
+        svg.strokes = settings.strokes;
+        svg.strict = settings.strict;
+        svg.page = settings.page;
         return load_svg(std::filesystem::path(spec), svg);
     }
     if (spec.starts_with(text_prefix)) {

@@ -32,6 +32,8 @@ struct Shape {
     Point centroid = {0, 0};  ///< centre of mass in the frame of the source [m]
     double second_moment =
         0;  ///< polar, about the centre of mass [m^4]; times the density: inertia
+    /// What of the source is left out or taken in another way, and how it was read: a line each.
+    std::vector<std::string> remarks;
 };
 
 /// Centres a polygon on its centre of mass and takes its exact integrals.

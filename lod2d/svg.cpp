@@ -1,48 +1,69 @@
 #include "lodlab/lod2d/svg.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
-#include "lodlab/lod2d/stroke.hpp"
-#include "lodlab/lod2d/svg_document.hpp"
+#include "lodlab/lod2d/svg_plain.hpp"
+#include "lodlab/lod2d/svg_regions.hpp"
+#include "lodlab/lod2d/svg_resolve.hpp"
 
 namespace lod2d {
 namespace {
-
-/// A stroke as a path to fill, in the frame of the page.
-FilledPath covered_by(const SvgStroke& stroke, double tolerance) {
-    const double extent = stroke.path.control_box().size().maxCoeff() + stroke.width;
-    FilledPath filled;
-    for (const Ring& ring : stroke_outline(stroke.path, stroke.width, tolerance * extent).rings) {
-        for (std::size_t i = 0; i < ring.size(); ++i)
-            i == 0 ? filled.path.move_to(ring[i]) : filled.path.line_to(ring[i]);
-        filled.path.close();
-    }
-    filled.path.transform(stroke.to_page);
-    return filled;
-}
 
 std::string stem(const std::string& name) {
     return std::filesystem::path(name).stem().string();
 }
 
+/// A drawing is read by ourselves where it is plain.
+SvgDrawing read(const std::string& name, std::string_view bytes, const SvgSettings& settings) {
+    const SvgXml xml = parse_svg_xml(name, bytes, settings.most_bytes);
+    if (auto plain = read_plain_svg(xml, settings)) return std::move(*plain);
+    return resolve_svg(xml, settings);
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string all;
+    for (const std::string& line : lines) all += (all.empty() ? "" : "; ") + line;
+    return all;
+}
+
+[[noreturn]] void refuse_empty(const std::string& name, bool drawn, const SvgNotes& notes) {
+    const std::vector<std::string> losses = notes.losses();
+    std::string why = "it fills no region";
+    if (drawn) why = "it fills no region: its area is zero, or all of it is clipped or outside";
+    lod::refuse_input(
+        "cannot use " + name,
+        why + (losses.empty() ? "; draw a filled outline"
+                              : " (" + joined(losses) +
+                                    "); convert texts to paths, or draw a filled outline"));
+}
+
 }  // namespace
 
 Shape parse_svg(const std::string& name, std::string_view text, const SvgSettings& settings) {
-    SvgDrawing drawing = read_svg(name, text, settings);
-    if (drawing.fills.empty())
-        for (const SvgStroke& stroke : drawing.strokes)
-            drawing.fills.push_back(covered_by(stroke, settings.outline.tolerance));
-    if (drawing.fills.empty())
-        throw lod::Error(lod::ErrorKind::input_refused,
-                         "cannot use " + name + ": it fills no region" +
-                             (drawing.left_out.empty()
-                                  ? "; draw a filled outline"
-                                  : " (left out: " + drawing.left_out +
-                                        "); convert its text to paths or draw a filled outline"));
-    Shape shape = shape_of(name, drawing.fills, settings.outline);
+    SvgDrawing drawing = read(name, text, settings);
+    const bool drawn = !drawing.fills.empty() || !drawing.strokes.empty();
+    const std::vector<FilledPath> regions = regions_of(name, drawing, settings);
+    if (regions.empty()) refuse_empty(name, drawn, drawing.notes);
+    const std::vector<std::string> losses = drawing.notes.losses();
+    if (settings.strict && !losses.empty())
+        lod::refuse_input("cannot use " + name,
+                          "it is to be taken strictly, and " + joined(losses) +
+                              "; change the drawing, or drop the option strict");
+    OutlineSettings outline = settings.outline;
+    // Plain drawings keep the bits that they always had; of others curves are followed more
+    // closely.
+    if (!drawing.plain) outline.tolerance = std::max(outline.tolerance / 4, 1e-7);
+    Shape shape = shape_of(name, regions, outline);
     shape.name = stem(name);
+    for (const std::string& line : drawing.notes.remarks)
+        shape.remarks.push_back(shape.name + ": " + line);
+    for (const std::string& line : losses) {
+        const bool strokes = line.find("stroke") != std::string::npos && !settings.strokes;
+        shape.remarks.push_back(shape.name + ": " + line +
+                                (strokes ? " (the option strokes takes strokes in)" : ""));
+    }
     return shape;
 }
 

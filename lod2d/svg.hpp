@@ -12,26 +12,35 @@ struct SvgSettings {
     std::size_t most_bytes = 64'000'000;
     std::size_t most_elements = 200'000;  ///< drawn, each time that `use` draws them
     int most_depth = 200;                 ///< of elements within elements
+    bool strokes = false;                 ///< strokes belong to the shape, beside fills too
+    bool strict = false;                  ///< refuse what a browser shows in another way
+    bool page = false;                    ///< stretched and cut off as by the page of a browser
 };
 
-/// The shape that an SVG file draws: the union of all its filled regions, whatever their colour
-/// (white too), as one rigid body, which may have several parts. Up in the picture is up (+y).
-/// The shape is scaled by settings.outline.size; width, height and viewBox of the file set no
-/// scale.
+/// The shape that a browser shows of an SVG file: the union of all its filled regions, whatever
+/// their colour (white too), as one rigid body, which may have several parts. Up in the picture is
+/// up (+y). The shape is scaled by settings.outline.size; width, height and viewBox of the file set
+/// no scale and cut nothing off, unless settings.page asks for it (where that matters, a remark
+/// says so).
 ///
-/// Read: path (all commands), rect, circle, ellipse, polygon, polyline; groups, nested svg, symbol,
-/// use, switch; transform; fill, fill-rule, fill-opacity, opacity, display and visibility, as
-/// attributes, in `style`, and in style sheets with selectors of one element, class or id.
-/// Filled outlines count in full: clipping, masks and filters are not applied. Not drawn: whatever
-/// has fill="none" (a file that only strokes is drawn by its strokes, at their width), text
-/// (convert it to paths), images, and the contents of defs, clipPath, mask, pattern, marker.
+/// A drawing of paths, basic shapes, groups, transforms and colours is read to the last bit. Any
+/// other goes through librsvg, which resolves style sheets, `use`, nested <svg>, switch (English is
+/// taken), clips, markers and units, to about 1e-9 of the drawing's size; a remark says so. A file
+/// that only strokes is drawn by its strokes: width, joins, caps, miter limit, dashes.
+///
+/// Left out, and counted in the shape's remarks: strokes where there are fills (settings.strokes
+/// takes them in), texts (convert them to paths), images, filters, masks that are no plain shape,
+/// scripts, animations (a drawing stands as it is written). Gradients that fade to nothing and
+/// patterns count as whole regions; a remark says that too, and what of CSS is not followed.
 ///
 /// Throws lod::Error naming the file and, where there is one, line and column: input refused for a
-/// file that is missing, no SVG, broken, that uses itself, or that fills nothing; limit exceeded
-/// (naming the limit) beyond the settings. Reads no other file.
+/// file that is missing, no SVG, broken, that uses itself, that fills nothing, or (settings.strict)
+/// of which something is left out; limit exceeded (naming the limit) beyond the settings. Reads no
+/// other file.
 [[nodiscard]] Shape load_svg(const std::filesystem::path& path, const SvgSettings& settings = {});
 
-/// The same from text; `name` stands in the errors and names the shape.
+/// The same from text, which may be compressed (svgz); `name` stands in the errors and names the
+/// shape.
 [[nodiscard]] Shape parse_svg(const std::string& name, std::string_view text,
                               const SvgSettings& settings = {});
 

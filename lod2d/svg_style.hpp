@@ -1,10 +1,12 @@
 #pragma once
 
-#include <map>
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "lodlab/lod2d/clean.hpp"
+#include "lodlab/lod2d/stroke.hpp"
 
 namespace pugi {
 class xml_node;
@@ -12,37 +14,37 @@ class xml_node;
 
 namespace lod2d {
 
-/// What of CSS decides whether and how an element is drawn. Inherited from parent to child, but for
+/// What a paint leaves on the paper.
+enum class SvgPaint { none, whole, fading };  ///< fading: a gradient, in part to nothing
+
+/// What decides whether and how an element is drawn. Inherited from parent to child, but for
 /// `drawn`, which a child cannot bring back.
 struct SvgStyle {
-    bool filled = true;
+    SvgPaint fill = SvgPaint::whole;
     bool fill_seen = true;  ///< fill-opacity above 0
     FillRule rule = FillRule::nonzero;
-    bool stroked = false;
+    SvgPaint stroke = SvgPaint::none;
     bool stroke_seen = true;
-    double stroke_width = 1;
+    bool stroke_by_box = false;  ///< by a gradient of the path's box: nothing where it is flat
+    StrokeStyle pen;
     bool visible = true;
     bool drawn = true;  ///< no display: none and no opacity: 0 on the way here
 };
 
-/// The rules of a document's style sheets whose selectors name one element, class or id; others are
-/// left out.
-class SvgStyleSheet {
-  public:
-    void read(std::string_view text);
-    /// The style of an element within one of the given style.
-    [[nodiscard]] SvgStyle style_of(const pugi::xml_node& element, const SvgStyle& parent) const;
-
-  private:
-    using Declarations = std::map<std::string, std::string, std::less<>>;
-    [[nodiscard]] std::string value_of(const pugi::xml_node& element, std::string_view property,
-                                       const Declarations& own) const;
-    static void read_declarations(std::string_view text, Declarations& declarations);
-
-    std::map<std::string, Declarations, std::less<>> rules_;  ///< by selector
+/// The style of an element within one of the given style, from its attributes and its `style`,
+/// where nothing in them takes more than a table to understand: nothing for whatever does (then
+/// svg_resolve.hpp is asked). `gradient` tells what the gradient of an id leaves, nothing where
+/// there is none that is plain.
+struct SvgGradient {
+    SvgPaint paint = SvgPaint::whole;
+    bool of_box = true;  ///< in units of the box of what it paints
 };
+using GradientPaint = std::function<std::optional<SvgGradient>(std::string_view id)>;
+[[nodiscard]] std::optional<SvgStyle> plain_style(const pugi::xml_node& element,
+                                                  const SvgStyle& parent,
+                                                  const GradientPaint& gradient);
 
-/// An element's or attribute's name without its namespace prefix.
-[[nodiscard]] std::string_view local_name(std::string_view name);
+/// What a gradient's stops leave, where they are plain.
+[[nodiscard]] std::optional<SvgPaint> plain_stops(const pugi::xml_node& gradient);
 
 }  // namespace lod2d

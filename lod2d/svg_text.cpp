@@ -155,6 +155,7 @@ std::array<double, 4> parse_svg_view_box(std::string_view text) {
         value = reader.number();
         reader.skip_separator();
     }
+    if (!reader.at_end()) reader.fail("four numbers");
     return box;
 }
 

@@ -18,6 +18,13 @@ lod2d::Pose pose_of(const lod::Body<2>& body) {
     return {body.position, body.orientation};
 }
 
+std::string names_of_generators() {
+    std::string list;
+    for (const lod2d::Generator& one : lod2d::generators())
+        list += (list.empty() ? "" : ", ") + std::string(one.name);
+    return list;
+}
+
 }  // namespace
 
 PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice& choice) {
@@ -29,13 +36,23 @@ PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice
     if (choice.fill)
         throw lod::Error(lod::ErrorKind::usage,
                          "only meshes are filled, and " + spec + " is none; drop the option");
+    if (!lod2d::names_shape(spec))
+        throw lod::Error(lod::ErrorKind::usage,
+                         "'" + spec + "' names no shape; give a drawing (" +
+                             std::string(words.files) + "), a mesh (" +
+                             std::string(SpaceShapes::words.files) +
+                             "), text:R, or a generator: " + names_of_generators());
     lod2d::LoadSettings settings;
+    settings.strokes = choice.strokes;
+    settings.strict = choice.strict;
+    settings.page = choice.page;
     if (choice.size) settings.outline.size = *choice.size;
     raise(settings.most_bytes, choice.raise_limits);
     raise(settings.most_elements, choice.raise_limits);
     raise(settings.outline.clean.most_points, choice.raise_limits);
     raise(settings.outline.clean.most_edge_pairs, choice.raise_limits);
     raise(settings.outline.clean.most_sweep_steps, choice.raise_limits);
+    raise(settings.outline.clean.most_crossings, choice.raise_limits);
     lod2d::Shape shape =
         lod2d::load_shape(in_package(spec) ? package_file(spec).string() : spec, settings);
     if (!choice.size || !lod2d::names_generator(spec)) return shape;
@@ -104,8 +121,8 @@ lod::Inertia<2> PlaneShapes::second_moment(const Shape& shape) {
     return lod::Inertia<2>::Constant(shape.second_moment);
 }
 
-std::vector<std::string> PlaneShapes::remarks(const Shape&) {
-    return {};
+std::vector<std::string> PlaneShapes::remarks(const Shape& shape) {
+    return shape.remarks;
 }
 
 PlaneShapes::Border PlaneShapes::border_of(const Shape& shape) {

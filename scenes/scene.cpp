@@ -67,6 +67,7 @@ void complete_half_space(BodySpec& body) {
     drop(body.size.has_value(), "size");
     drop(body.mass.has_value(), "mass");
     drop(body.fill, "mesh to fill");
+    drop(body.strokes || body.page || body.strict, "drawing");
     drop(!body.sha256.empty(), "file");
     body.is_static = true;
 }

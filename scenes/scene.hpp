@@ -26,6 +26,9 @@ struct BodySpec {
     std::string sha256;            ///< of the file that the scene was made with; empty: any will do
     std::optional<double> size;    ///< longest side of the shape's box [m]
     bool fill = false;             ///< open meshes are filled by winding number
+    bool strokes = false;          ///< of a drawing: taken in, beside fills too
+    bool page = false;             ///< a drawing is stretched and cut off by its page
+    bool strict = false;           ///< refuse a drawing of which something is left out
     double density = 1;            ///< [kg/m^2] in the plane, [kg/m^3] in space
     std::optional<double> mass;    ///< [kg]; overrides the density
     bool is_static = false;        ///< never moves

@@ -17,7 +17,8 @@ template <int Dim>
 struct Stock {
     using SharedShape = std::shared_ptr<const Shape<Dim>>;
     using SharedTree = std::shared_ptr<const lod::SphereTree<Dim>>;
-    std::map<std::tuple<std::string, std::optional<double>, bool>, SharedShape> shapes;
+    using ShapeKey = std::tuple<std::string, std::optional<double>, bool, bool, bool, bool>;
+    std::map<ShapeKey, SharedShape> shapes;
     std::map<std::pair<const Shape<Dim>*, TreeChoice>, SharedTree> trees;
     std::map<const Shape<Dim>*, typename Shapes<Dim>::Border> borders;
     std::map<const Shape<Dim>*, std::shared_ptr<const lod::ExactShape<Dim>>> exact;
@@ -47,13 +48,23 @@ std::string remark_on_source(const BodySpec& spec) {
 }
 
 template <int Dim>
+typename Stock<Dim>::ShapeKey key_of(const BodySpec& spec) {
+    return {spec.file.empty() ? spec.shape : spec.file.string(),
+            spec.size,
+            spec.fill,
+            spec.strokes,
+            spec.page,
+            spec.strict};
+}
+
+template <int Dim>
 typename Stock<Dim>::SharedShape shape_of(const BodySpec& spec, double raise_limits,
                                           Stock<Dim>& stock, std::vector<std::string>& warnings) {
     const std::string name = spec.file.empty() ? spec.shape : spec.file.string();
-    auto& shape = stock.shapes[{name, spec.size, spec.fill}];
+    auto& shape = stock.shapes[key_of<Dim>(spec)];
     if (!shape) {
-        shape = std::make_shared<const Shape<Dim>>(
-            Shapes<Dim>::named(name, {spec.size, spec.fill, raise_limits}));
+        shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::named(
+            name, {spec.size, spec.fill, raise_limits, spec.strokes, spec.strict, spec.page}));
         std::vector<std::string> remarks = Shapes<Dim>::remarks(*shape);
         remarks.push_back(remark_on_source(spec));
         std::erase(remarks, "");
@@ -131,7 +142,7 @@ std::shared_ptr<const Shape<Dim>> loaded(const BodySpec& spec, double raise_limi
         static_cast<void>(Shapes<Dim>::settings(tree_choice_of(spec)));
         return shape_of(spec, raise_limits, stock, warnings);
     }
-    auto& shape = stock.shapes[{spec.shape, std::nullopt, false}];
+    auto& shape = stock.shapes[key_of<Dim>(spec)];
     if (!shape) shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::half_space());
     return shape;
 }

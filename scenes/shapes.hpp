@@ -28,6 +28,9 @@ struct ShapeChoice {
     std::optional<double> size;
     bool fill = false;        ///< take open meshes, filled by winding number
     double raise_limits = 1;  ///< factor of every limit on the size of files, >= 1
+    bool strokes = false;     ///< of drawings: take strokes in, beside fills too
+    bool strict = false;      ///< refuse a drawing of which something is left out
+    bool page = false;        ///< of drawings: stretched and cut off by the page, as in a browser
 };
 
 /// How a tree is asked for; the builders' defaults where nothing is said.
@@ -67,7 +70,7 @@ struct PlaneShapes {
     using Settings = lod2d::TreeSettings;
     using Border = lod2d::BoundaryIndex;
 
-    static constexpr Words words{"area", "m^2", "m^4", "circles", "svg"};
+    static constexpr Words words{"area", "m^2", "m^4", "circles", "svg, svgz"};
 
     /// A drawing, "text:R" or a generator. Throws lod::Error as lod2d::load_shape does, and for a
     /// mesh.

@@ -58,6 +58,10 @@ bool any_inside(const SpaceShapes::Border& a, const lod::Body<3>& body_a,
 }  // namespace
 
 SpaceShapes::Shape SpaceShapes::named(const std::string& spec, const ShapeChoice& choice) {
+    if (choice.strokes || choice.page || choice.strict)
+        throw lod::Error(lod::ErrorKind::usage,
+                         "only drawings have strokes and a page, and may be taken strictly; " +
+                             spec + " is none: drop the option");
     lod3d::FileMesh file = mesh_of(spec, choice.raise_limits);
     const std::string name =
         is_generator(spec) ? spec : std::filesystem::path(spec).stem().string();

@@ -6,6 +6,7 @@
 
 #include <csignal>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tests/catch.hpp"
 #include "tests/cli/program.hpp"
@@ -102,6 +103,29 @@ TEST_CASE("a shape that is no shape is refused") {
     check_failure(lodlab({"tree", scratch.write("empty.svg", "<svg/>")}), 3, "empty.svg");
     check_failure(lodlab({"tree", "text:\xef\xbf\xbf"}), 3, "text");
     check_failure(lodlab({"tree", "geer:9"}), 2, "geer");
+    for (const std::string other : {"part.dae", "part.3mf", "part.step", "part.dxf"})
+        check_failure(lodlab({"tree", scratch.write(other, "x")}), 2, "stl");
+    check_failure(lodlab({"tree", "--strokes", "--dim", "3", "box"}), 2, "drawings");
+}
+
+TEST_CASE("what a drawing loses is said, and refused where it is taken strictly") {
+    const Scratch scratch;
+    const std::string file = scratch.write(
+        "part.svg",
+        "<svg viewBox='0 0 9 9'><rect width='8' height='4'/>"
+        "<path d='M0 8H8' fill='none' stroke='red'/><rect x='4' width='9' height='4'/></svg>");
+    const Outcome said = lodlab({"tree", file, "--depth", "0", "--no-cache"});
+    CHECK(said.code == 0);
+    CHECK(said.err.find("part: left out 1 unfilled stroke") != std::string::npos);
+    CHECK(said.err.find("part: 1 shape lies in part outside its page") != std::string::npos);
+    check_failure(lodlab({"tree", file, "--strict"}), 3, "1 unfilled stroke");
+    const auto area_of = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"tree", file, "--depth", "0", "--no-cache", "--json"});
+        return nlohmann::json::parse(lodlab(more).out)["shape"]["measure"].get<double>();
+    };
+    CHECK(area_of({}) == Approx(13 * 4 / 169.0));
+    CHECK(area_of({"--page"}) == Approx(9 * 4 / 81.0));
+    CHECK(area_of({"--strokes"}) == Approx((13 * 4 + 8) / 169.0));
 }
 
 TEST_CASE("more frames than the limit are refused, and the limit can be raised") {

@@ -132,9 +132,13 @@ TEST_CASE("what is not painted is not part of the shape", "[svg]") {
 TEST_CASE("a picture of strokes alone is drawn by its strokes", "[svg]") {
     CHECK(fullness("<path d='M0 0H10' fill='none' stroke='black' stroke-width='2'/>") ==
           Approx(0.2).epsilon(curved));
-    // A closed square of side 8 under a pen of 2: 10 x 10 with round corners, less 6 x 6.
-    CHECK(fullness("<rect width='8' height='8' fill='none' stroke='black' stroke-width='2'/>") ==
+    // A closed square of side 8 under a pen of 2: 10 x 10 with corners by the join, less 6 x 6.
+    const std::string square = "<rect width='8' height='8' fill='none' stroke='black' ";
+    CHECK(fullness(square + "stroke-width='2'/>") == Approx(0.64).epsilon(1e-6));
+    CHECK(fullness(square + "stroke-width='2' stroke-linejoin='round'/>") ==
           Approx((100 - (4 - pi) - 36) / 100).epsilon(1e-3));
+    CHECK(fullness(square + "stroke-width='2' stroke-linejoin='bevel'/>") ==
+          Approx((100 - 2 - 36) / 100.0).epsilon(1e-6));
     CHECK(fullness("<line x2='5' style='stroke:red;stroke-width:1' transform='scale(2)'/>") ==
           Approx(0.2).epsilon(curved));
 }
@@ -195,7 +199,7 @@ TEST_CASE("the longer side of the shape is the size asked for", "[svg]") {
 TEST_CASE("a file that is no SVG or draws nothing is refused with its place", "[svg]") {
     check_refused("", "empty");
     check_refused("hello", "no SVG");
-    check_refused("\x1f\x8b\x08 gz", "gunzip");
+    check_refused("\x1f\x8b\x08 gz", "gunzip");  // and broken
     check_refused("<svg>\n  <path d='M0 0'\n</svg>", "line 3, column 1");
     check_refused("<svg><g></svg>", "line 1");
     check_refused("<html><svg/></html>", "outermost");
@@ -233,7 +237,7 @@ TEST_CASE("elements that would draw themselves or explode are refused", "[svg]")
     CHECK(refusal(svg(deep)).kind == lod::ErrorKind::limit_exceeded);
 }
 
-TEST_CASE("entities are not expanded", "[svg]") {
+TEST_CASE("entities are resolved, and refused where they explode or stand outside", "[svg]") {
     std::string laughs = "<?xml version='1.0'?><!DOCTYPE svg [<!ENTITY a0 'M0 0h2v1h-2z'>";
     for (int i = 1; i < 30; ++i) {
         const std::string last = "&a" + std::to_string(i - 1) + ";";
@@ -243,10 +247,12 @@ TEST_CASE("entities are not expanded", "[svg]") {
     const Shape shape =
         parse_svg("a.svg", laughs + svg("<desc>&a29;</desc><path d='M0 0h2v1h-2z'/>"));
     CHECK(shape.area == Approx(0.5).epsilon(1e-8));
-    check_refused(laughs + svg("<path d='&a29;'/>"), "broken d");
+    check_refused(laughs + svg("<path d='&a29;'/>"), "entity");
     check_refused(
         "<!DOCTYPE svg [<!ENTITY x SYSTEM 'file:///etc/passwd'>]>" + svg("<path d='&x;'/>"),
-        "broken d");
+        "entity &x; stands in another file");
+    check_refused("<!DOCTYPE svg [<!ENTITY part '<rect/>'>]>" + svg("&part;"), "entity &part;");
+    CHECK(parse_svg("a.svg", laughs + svg("<path d='&a0;'/>")).area == Approx(0.5).epsilon(1e-8));
 }
 
 TEST_CASE("limits of points are named and can be raised", "[svg]") {

@@ -30,7 +30,8 @@ MAY_INCLUDE = {
 
 # Each of these stands behind one file of ours.
 ONE_SOURCE = {
-    "Cairo and Pango": r"<(cairo|pango)",
+    "Cairo and Pango": r"<(cairo(?!-script)|pango)",
+    "librsvg and what it draws to": r"<(librsvg/|cairo-script)",
     "Box2D": r"<box2d/",
     "libav": r"<lib(av|sw)\w+/",
     "assimp": r"<assimp/",
@@ -47,7 +48,7 @@ ROUNDED_FREELY = re.compile(
 DECIDE_RESULTS = ["core", "io", "lod2d", "lod3d", "scenes", "measure"]
 
 # These are slow to compile or not part of our interface: sources only, never headers.
-NOT_IN_HEADERS = r"<(nlohmann/json\.hpp|toml\+\+/|toml|CLI/|boost/|pugixml|polyclipping/|ft2build|fontconfig/|md4c|mustache)"
+NOT_IN_HEADERS = r"<(nlohmann/json\.hpp|toml\+\+/|toml|CLI/|boost/|librsvg/|cairo|zlib|pugixml|polyclipping/|ft2build|fontconfig/|md4c|mustache)"
 
 TESTS_DIM = re.compile(
     r"\bDim\b\s*([=!]=|[<>]=?\s*\d|[%?])|\b\d\s*([=!]=|[<>]=?)\s*Dim\b"
