@@ -15,10 +15,11 @@ enum class ErrorKind {
     not_installed = 6,
 };
 
-/// The one exception of lodlab. what() is one line: what, where, why, and the mend.
+/// The one exception of lodlab. what() is one line: what, where, why, and the mend. Whatever a file
+/// brings into it, line ends and other control characters are blanks there.
 class Error : public std::runtime_error {
   public:
-    Error(ErrorKind kind, const std::string& line) : std::runtime_error(line), kind_(kind) {}
+    Error(ErrorKind kind, std::string line);
     [[nodiscard]] ErrorKind kind() const { return kind_; }
 
   private:

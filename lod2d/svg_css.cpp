@@ -225,7 +225,8 @@ void SvgCss::learn_root(std::string_view declarations) {
     learn_from(without_comments(declarations), true);
 }
 
-std::string SvgCss::substituted(std::string text, int depth) {
+std::string SvgCss::substituted(std::string text, int& left) {
+    constexpr std::size_t most_letters = 100'000;
     while (true) {
         const std::size_t at = lower(text).find("var(");
         if (at == std::string::npos) return text;
@@ -234,24 +235,26 @@ std::string SvgCss::substituted(std::string text, int depth) {
         const std::size_t comma = find_outside(inside, ",");
         const std::string name(trimmed(std::string_view(inside).substr(0, comma)));
         const auto custom = custom_.find(name);
-        std::string put;
-        if (custom == custom_.end() && comma < inside.size())
-            put = trimmed(std::string_view(inside).substr(comma + 1));
-        else if (custom != custom_.end() && custom->second.of_root && depth < 20)
-            put = custom->second.value;
-        else {
+        const bool is_ours = custom != custom_.end() && custom->second.of_root;
+        const bool falls_back = custom == custom_.end() && comma < inside.size();
+        if (--left < 0 || text.size() > most_letters || !(is_ours || falls_back)) {
             notes_.doubt("its style says var(" + name +
                          "), which is not resolved here; write the value itself");
             return {};
         }
-        text.replace(at, close - at + 1, substituted(put, depth + 1));
-        if (text.size() > 100'000) return {};
+        std::string put = is_ours
+                              ? custom->second.value
+                              : std::string(trimmed(std::string_view(inside).substr(comma + 1)));
+        text.replace(at, close - at + 1, substituted(std::move(put), left));
     }
 }
 
 std::string SvgCss::value(std::string_view property, std::string_view raw) {
     std::string text = without_comments(raw);
-    if (lower(text).find("var(") != std::string::npos) text = substituted(std::move(text), 0);
+    if (lower(text).find("var(") != std::string::npos) {
+        int left = 200;  // references, so that those that name each other end
+        text = substituted(std::move(text), left);
+    }
     text = lower_outside_links(trimmed(text));
     std::string important;
     if (const std::size_t mark = text.find('!'); mark != std::string::npos) {

@@ -36,7 +36,8 @@ class SvgCss {
     void learn_from(std::string_view declarations, bool of_root);
     std::string at_rule(std::string_view name, std::string_view prelude, std::string_view block);
     void check_selector(std::string_view selector);
-    std::string substituted(std::string text, int depth);
+    /// With custom properties put in place, so many at most.
+    std::string substituted(std::string text, int& left);
 
     SvgNotes& notes_;
     bool sheets_fade_ = false;  ///< a sheet has opacity: 0

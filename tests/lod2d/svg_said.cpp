@@ -216,3 +216,20 @@ TEST_CASE("a scribble of thousands of lines ends at a named limit", "[svg][svg-c
         }
     }
 }
+
+TEST_CASE("custom properties that name themselves and each other end, and are said", "[svg]") {
+    const std::string twice = "var(--%) var(--%)";
+    std::string sheet = ":root{--a:red;--z:var(--z)";
+    for (char name = 'b'; name < 'z'; ++name) {  // each is twice the one before
+        std::string value = twice;
+        for (char& c : value)
+            if (c == '%') c = static_cast<char>(name - 1);
+        sheet += std::string(";--") + name + ":" + value;
+    }
+    for (const char* used : {"var(--y)", "var(--z)"}) {
+        const Shape shape =
+            shape_of_body("<style>" + sheet + "} .no{fill:" + used + "}</style>" SEEN);
+        CHECK(shape.area == Approx(half).epsilon(1e-6));
+        CHECK(remarks_of(shape).find("which is not resolved here") != std::string::npos);
+    }
+}
