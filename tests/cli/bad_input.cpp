@@ -176,19 +176,6 @@ TEST_CASE("standard output that cannot be written is an output that failed") {
     CHECK(is_one_line(outcome.err));
 }
 
-TEST_CASE("a signal stops a film and leaves nothing half-written") {
-    const Scratch scratch;
-    const int signal = GENERATE(SIGINT, SIGTERM);
-    Start start;
-    start.signal = signal;
-    start.when_exists = scratch.path() / "film.mp4.part";
-    const Outcome outcome = lodlab(
-        {"simulate", "gears_in_a_box", "--quality", "4k", "--out", scratch / "film.mp4"}, start);
-    CHECK(outcome.code == 128 + signal);
-    CHECK(is_one_line(outcome.err));
-    CHECK(scratch.files().empty());
-}
-
 TEST_CASE("bodies that start inside each other are run, and reported in one line") {
     const Scratch scratch;
     const std::string file = scratch.write("in.toml", body("") + body("position = [0.5, 0]"));

@@ -58,6 +58,16 @@ double speed_after(double speed, int phase, const lod::FrameSettings& settings) 
     return -bodies[0].velocity[0];
 }
 
+/// At 1,000 m/s. Faces at x = -0.495 and 0.495, radius 0.01: 0.97 m from bounce to bounce.
+std::array<lod::Body<2>, 3> ball_between_walls() {
+    const auto [ball, wall] = ball_and_wall<2>();
+    std::array<lod::Body<2>, 3> bodies{ball, wall, wall};
+    bodies[1].position = {-0.5, 0};
+    bodies[2].position = {0.5, 0};
+    bodies[0].velocity = {1000, 0};
+    return bodies;
+}
+
 lod::FrameSettings swept(int level) {
     lod::FrameSettings settings;
     settings.time_step = step;
@@ -114,12 +124,7 @@ TEST_CASE("slow bodies move to the bit as without sweeping") {
 }
 
 TEST_CASE("a fast ball between two walls bounces as often as its way is long") {
-    // Faces at x = -0.495 and 0.495, radius 0.01: 0.97 m from bounce to bounce.
-    const auto [ball, wall] = ball_and_wall<2>();
-    std::array<lod::Body<2>, 3> bodies{ball, wall, wall};
-    bodies[1].position = {-0.5, 0};
-    bodies[2].position = {0.5, 0};
-    bodies[0].velocity = {1000, 0};
+    std::array<lod::Body<2>, 3> bodies = ball_between_walls();
     std::vector<lod::SweptImpact<2>> found;
     lod::Sweeper<2> sweeper;
     sweeper.advance(bodies, step, {.on = true, .exact = true}, {}, found);
@@ -133,11 +138,7 @@ TEST_CASE("a fast ball between two walls bounces as often as its way is long") {
 }
 
 TEST_CASE("a body with too many impacts for one frame waits, and is not lost") {
-    const auto [ball, wall] = ball_and_wall<2>();
-    std::array<lod::Body<2>, 3> bodies{ball, wall, wall};
-    bodies[1].position = {-0.5, 0};
-    bodies[2].position = {0.5, 0};
-    bodies[0].velocity = {1000, 0};
+    std::array<lod::Body<2>, 3> bodies = ball_between_walls();
     std::vector<lod::SweptImpact<2>> found;
     lod::Sweeper<2> sweeper;
     for (int frame = 0; frame < 100; ++frame) {
