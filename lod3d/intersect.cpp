@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
+
+#include "lodlab/lod3d/distance.hpp"
 
 namespace lod3d {
 namespace {
@@ -146,22 +149,18 @@ double size_of(const TriangleTree::Node& node) {
     return (node.high - node.low).squaredNorm();
 }
 
-bool leaves_intersect(const TriangleTree& a, const TriangleTree::Node& m, const TriangleTree& b,
-                      const TriangleTree::Node& n, const Pose& b_in_a) {
-    for (std::int32_t j = n.first; j < n.first + n.count; ++j) {
-        const Corners& t = b.corners(j);
-        const Corners carried{b_in_a.carry(t.a), b_in_a.carry(t.b), b_in_a.carry(t.c)};
-        for (std::int32_t i = m.first; i < m.first + m.count; ++i)
-            if (triangles_intersect(a.corners(i), carried)) return true;
-    }
-    return false;
-}
-
-}  // namespace
-
-bool surfaces_intersect(const TriangleTree& a, const Pose& pose_a, const TriangleTree& b,
-                        const Pose& pose_b) {
-    const Pose b_in_a = relative(pose_a, pose_b);
+/// Whether any triangle of one tree and any of the other, both in A's frame, are as `meet` says.
+template <class Meet>
+bool any_meet(const TriangleTree& a, const TriangleTree& b, const Pose& b_in_a, const Meet& meet) {
+    const auto leaves_meet = [&](const TriangleTree::Node& m, const TriangleTree::Node& n) {
+        for (std::int32_t j = n.first; j < n.first + n.count; ++j) {
+            const Corners& t = b.corners(j);
+            const Corners carried{b_in_a.carry(t.a), b_in_a.carry(t.b), b_in_a.carry(t.c)};
+            for (std::int32_t i = m.first; i < m.first + m.count; ++i)
+                if (meet(a.corners(i), carried)) return true;
+        }
+        return false;
+    };
     const BoxTest test(b_in_a);
     std::vector<std::array<std::int32_t, 2>> waiting{{0, 0}};
     while (!waiting.empty()) {
@@ -171,7 +170,7 @@ bool surfaces_intersect(const TriangleTree& a, const Pose& pose_a, const Triangl
         const TriangleTree::Node& n = b.node(j);
         if (test.apart(m, n)) continue;
         if (m.is_leaf() && n.is_leaf()) {
-            if (leaves_intersect(a, m, b, n, b_in_a)) return true;
+            if (leaves_meet(m, n)) return true;
         } else if (n.is_leaf() || (!m.is_leaf() && size_of(m) >= size_of(n))) {
             waiting.push_back({m.first, j});
             waiting.push_back({i + 1, j});
@@ -183,26 +182,107 @@ bool surfaces_intersect(const TriangleTree& a, const Pose& pose_a, const Triangl
     return false;
 }
 
-bool parts_intersect(const Mesh& mesh, const Parts& parts) {
-    // Each part's triangles in a tree of their own, so that a part never meets itself.
-    std::vector<std::vector<Triangle>> of_part(static_cast<std::size_t>(parts.count));
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        of_part[static_cast<std::size_t>(parts.of_triangle[t])].push_back(mesh.triangles[t]);
-    Mesh part{mesh.vertices, {}};
-    std::vector<TriangleTree> trees;
-    for (auto& triangles : of_part) {
-        part.triangles = std::move(triangles);
-        trees.emplace_back(part);
-    }
-    std::sort(trees.begin(), trees.end(), [](const TriangleTree& a, const TriangleTree& b) {
-        return a.node(0).low.x() < b.node(0).low.x();
-    });
-    for (std::size_t i = 0; i < trees.size(); ++i)
-        for (std::size_t j = i + 1; j < trees.size(); ++j) {
-            if (trees[j].node(0).low.x() > trees[i].node(0).high.x()) break;
-            if (surfaces_intersect(trees[i], {}, trees[j], {})) return true;
+/// Whether two flat triangles share more than a hair's breadth: no side of either parts them.
+bool share_area(const Corners& s, const Corners& t, const Point& normal, double hair) {
+    const std::array<const Corners*, 2> both{&s, &t};
+    for (const Corners* own : both) {
+        const std::array<Point, 3> corner{own->a, own->b, own->c};
+        const Corners& other = own == &s ? t : s;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Point out = (corner[(i + 1) % 3] - corner[i]).cross(normal).normalized();
+            const double nearest = std::min({out.dot(other.a), out.dot(other.b), out.dot(other.c)});
+            if (nearest >= out.dot(corner[i]) - hair) return false;
         }
+    }
+    return true;
+}
+
+/// A part of a mesh, as others meet it.
+struct Part {
+    TriangleTree tree;
+    MeshDistance distance;
+    explicit Part(const Mesh& mesh) : tree(mesh), distance(mesh) {}
+};
+
+/// Deeper than a hair: on a surface, as where faces touch, rounding decides what the winding is.
+bool is_well_within(const MeshDistance& solid, const Point& p, double hair) {
+    return solid.winding_number(p) > 0.5 && (solid.nearest(p).point - p).norm() > hair;
+}
+
+/// Whether a side of s passes from one side of t to the other and is within t's solid on the way.
+bool side_enters(const Corners& s, const Corners& t, const Point& normal, double hair,
+                 const MeshDistance& solid_t) {
+    constexpr double hairs_on = 100;
+    const std::array<const Point*, 3> corner{&s.a, &s.b, &s.c};
+    const std::array<const Point*, 3> around{&t.a, &t.b, &t.c};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point& p = *corner[i];
+        const Point& q = *corner[(i + 1) % 3];
+        const double of_p = normal.dot(p - t.a);
+        const double of_q = normal.dot(q - t.a);
+        if (std::min(of_p, of_q) >= -hair || std::max(of_p, of_q) <= hair) continue;
+        const Point at = p + of_p / (of_p - of_q) * (q - p);
+        bool pierces = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Point& from = *around[k];
+            const Point out = (*around[(k + 1) % 3] - from).cross(normal).normalized();
+            pierces = pierces && out.dot(at - from) <= hair;
+        }
+        const Point on = hairs_on * hair * (q - p).normalized();
+        if (pierces &&
+            (is_well_within(solid_t, at + on, hair) || is_well_within(solid_t, at - on, hair)))
+            return true;
+    }
     return false;
+}
+
+/// Whether two triangles of parts a and b show that these share a space.
+bool cross(const Corners& s, const Part& a, const Corners& t, const Part& b, double hair) {
+    const Point normal_s = (s.b - s.a).cross(s.c - s.a).stableNormalized();
+    const Point normal_t = (t.b - t.a).cross(t.c - t.a).stableNormalized();
+    if (normal_s.isZero(0) || normal_t.isZero(0)) return false;
+    const auto off_plane = [&](const Point& p) { return std::abs(normal_t.dot(p - t.a)); };
+    if (std::max({off_plane(s.a), off_plane(s.b), off_plane(s.c)}) <= hair)
+        return normal_s.dot(normal_t) > 0 && share_area(s, t, normal_t, hair);
+    return side_enters(s, t, normal_t, hair, b.distance) ||
+           side_enters(t, s, normal_s, hair, a.distance);
+}
+
+}  // namespace
+
+bool surfaces_intersect(const TriangleTree& a, const Pose& pose_a, const TriangleTree& b,
+                        const Pose& pose_b) {
+    return any_meet(a, b, relative(pose_a, pose_b), triangles_intersect);
+}
+
+PartsMeet parts_meet(const Mesh& mesh, const Parts& parts, double hair) {
+    // Each part's triangles in a tree of their own, so that a part never meets itself.
+    std::vector<Mesh> meshes(static_cast<std::size_t>(parts.count));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        meshes[static_cast<std::size_t>(parts.of_triangle[t])].triangles.push_back(
+            mesh.triangles[t]);
+    std::vector<Part> all;
+    for (Mesh& part : meshes) {
+        part.vertices = mesh.vertices;
+        drop_unused_vertices(part);
+        all.emplace_back(part);
+    }
+    std::sort(all.begin(), all.end(), [](const Part& a, const Part& b) {
+        return a.tree.node(0).low.x() < b.tree.node(0).low.x();
+    });
+    PartsMeet worst = PartsMeet::apart;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        for (std::size_t j = i + 1; j < all.size(); ++j) {
+            if (all[j].tree.node(0).low.x() > all[i].tree.node(0).high.x()) break;
+            if (!surfaces_intersect(all[i].tree, {}, all[j].tree, {})) continue;
+            const bool crossing =
+                any_meet(all[i].tree, all[j].tree, {}, [&](const Corners& s, const Corners& t) {
+                    return cross(s, all[i], t, all[j], hair);
+                });
+            if (crossing) return PartsMeet::crossing;
+            worst = PartsMeet::touching;
+        }
+    return worst;
 }
 
 }  // namespace lod3d

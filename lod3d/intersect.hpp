@@ -22,8 +22,10 @@ struct Pose {
 [[nodiscard]] bool surfaces_intersect(const TriangleTree& a, const Pose& pose_a,
                                       const TriangleTree& b, const Pose& pose_b);
 
-/// Whether triangles of different parts of one mesh intersect, save in vertices or edges that they
-/// share by number.
-[[nodiscard]] bool parts_intersect(const Mesh& mesh, const Parts& parts);
+/// How the closed, outward parts of one mesh stand to each other at the worst: whether they share a
+/// space, or only corners, edges or faces, to a hair [m]. One that lies wholly within another is
+/// apart from it.
+enum class PartsMeet { apart, touching, crossing };
+[[nodiscard]] PartsMeet parts_meet(const Mesh& mesh, const Parts& parts, double hair);
 
 }  // namespace lod3d

@@ -56,6 +56,7 @@ struct BadEdges {
     int open = 0;      ///< one triangle only
     int crowded = 0;   ///< more triangles than can be matched two by two: odd, or turned alike
     int reversed = 0;  ///< two triangles that pass it in the same direction
+    int shared = 0;  ///< no fault: four triangles or more that can be matched, of parts that touch
     std::array<std::int32_t, 2> first{};  ///< the vertices of one of them
     [[nodiscard]] bool none() const { return open == 0 && crowded == 0 && reversed == 0; }
 };

@@ -106,6 +106,8 @@ BadEdges find_bad_edges(const Mesh& mesh) {
             ++bad.open;
         else if (2 * upwards != count)
             ++(count == 2 ? bad.reversed : bad.crowded);
+        else if (count > 2)
+            ++bad.shared;
         if (before.none() && !bad.none()) bad.first = {first->low, first->high};
     });
     return bad;

@@ -1,6 +1,7 @@
 #include "lodlab/lod3d/mesh_faults.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <numeric>
 #include <tuple>
@@ -75,7 +76,11 @@ std::string why_no_volume(const Mesh& mesh, const Point& moved) {
            "divide the mesh where it crosses itself";
 }
 
-int drop_other_sides(Mesh& mesh) {
+namespace {
+
+/// Triangles that lie back to back, two and two: the earlier and the later one. Those turned alike
+/// were dropped before.
+std::vector<std::array<std::size_t, 2>> back_to_back(const Mesh& mesh) {
     std::vector<Triangle> key = mesh.triangles;
     for (Triangle& t : key) std::sort(t.begin(), t.end());
     std::vector<std::size_t> order(key.size());
@@ -83,18 +88,41 @@ int drop_other_sides(Mesh& mesh) {
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
         return std::tie(key[i], i) < std::tie(key[j], j);
     });
-    if (order.size() % 2 != 0) return 0;
-    std::vector<char> later(order.size(), 0);
-    for (std::size_t i = 0; i < order.size(); i += 2) {  // those turned alike were dropped before
-        if (key[order[i]] != key[order[i + 1]]) return 0;
-        later[order[i + 1]] = 1;
-    }
+    std::vector<std::array<std::size_t, 2>> pairs;
+    for (std::size_t i = 0; i + 1 < order.size(); ++i)
+        if (key[order[i]] == key[order[i + 1]]) {
+            pairs.push_back({order[i], order[i + 1]});
+            ++i;
+        }
+    return pairs;
+}
+
+int drop(const std::vector<std::size_t>& triangles, Mesh& mesh) {
+    std::vector<char> dropped(mesh.triangles.size(), 0);
+    for (const std::size_t t : triangles) dropped[t] = 1;
     std::size_t kept = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        if (later[t] == 0) mesh.triangles[kept++] = mesh.triangles[t];
-    const std::size_t dropped = mesh.triangles.size() - kept;
+        if (dropped[t] == 0) mesh.triangles[kept++] = mesh.triangles[t];
     mesh.triangles.resize(kept);
-    return static_cast<int>(dropped);
+    return static_cast<int>(triangles.size());
+}
+
+}  // namespace
+
+int drop_other_sides(Mesh& mesh) {
+    const auto pairs = back_to_back(mesh);
+    if (2 * pairs.size() != mesh.triangles.size()) return 0;
+    std::vector<std::size_t> later;
+    for (const auto& pair : pairs) later.push_back(pair[1]);
+    return drop(later, mesh);
+}
+
+int drop_inner_walls(Mesh& mesh) {
+    const auto pairs = back_to_back(mesh);
+    if (2 * pairs.size() == mesh.triangles.size()) return 0;
+    std::vector<std::size_t> both;
+    for (const auto& pair : pairs) both.insert(both.end(), pair.begin(), pair.end());
+    return drop(both, mesh);
 }
 
 }  // namespace lod3d

@@ -25,6 +25,10 @@ namespace lod3d {
 /// each two is dropped: the later one. Returns how many were.
 int drop_other_sides(Mesh& mesh);
 
+/// Drops triangles that lie back to back, unless all do: walls within a solid, where two parts
+/// share a face. What was closed stays closed. Returns how many were dropped.
+int drop_inner_walls(Mesh& mesh);
+
 /// "1 edge", "2 edges"
 [[nodiscard]] std::string counted(long count, const std::string& what);
 

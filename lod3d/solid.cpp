@@ -68,19 +68,28 @@ std::vector<Sides> sides_of_parts(const Mesh& mesh, const Parts& parts) {
     return sides;
 }
 
-/// Turns parts that are inside-out. Returns whether some parts overlap.
-bool turn_outwards(Mesh& mesh, std::vector<std::string>& mended) {
+/// Turns parts that are inside-out. Returns how parts stand to each other then; crossing, too,
+/// where one lies within another that it does not hollow out.
+PartsMeet turn_outwards(Mesh& mesh, std::vector<std::string>& mended) {
+    constexpr double hair = 1e-9;  // of the longest side
     const Parts parts = find_parts(mesh);
     const std::vector<Sides> sides = sides_of_parts(mesh, parts);
     long turned = 0;
-    bool overlapping = parts.count > 1 && parts_intersect(mesh, parts);
+    PartsMeet meet = PartsMeet::apart;
     for (const Sides& side : sides) {
+        // Both are 1 where another part begins right there.
         if (side.behind == 0 && side.before == -1)
             ++turned;
-        else if (side.behind != 1 || side.before != 0)
-            overlapping = true;
+        else if (side.behind != 1 || (side.before != 0 && side.before != 1))
+            meet = PartsMeet::crossing;
     }
-    if (turned == 0) return overlapping;
+    const auto settled = [&] {
+        const double longest = bounding_box(mesh).size().maxCoeff();
+        if (meet == PartsMeet::crossing) return meet;
+        if (parts.count > 1) return parts_meet(mesh, parts, hair * longest);
+        return find_bad_edges(mesh).shared > 0 ? PartsMeet::touching : PartsMeet::apart;
+    };
+    if (turned == 0) return settled();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const Sides& side = sides[static_cast<std::size_t>(parts.of_triangle[t])];
         if (side.behind == 0 && side.before == -1)
@@ -90,7 +99,7 @@ bool turn_outwards(Mesh& mesh, std::vector<std::string>& mended) {
                             ? "turned the surface, which was inside-out"
                             : "turned " + counted(turned, "part") + " of " +
                                   std::to_string(parts.count) + ", which stood inside-out");
-    return overlapping;
+    return settled();
 }
 
 Mesh filled(const Mesh& mesh, const SolidOptions& options) {
@@ -135,6 +144,11 @@ void mend(Mesh& mesh, const Point& moved, const SolidOptions& options, Solid& so
                         "is made, or write more digits");
     const int doubled = drop_other_sides(mesh);
     turn_alike(mesh, solid.mended);
+    if (const int walls = drop_inner_walls(mesh); walls > 0) {
+        drop_unused_vertices(mesh);
+        solid.mended.emplace_back("dropped " + counted(walls, "triangle") +
+                                  " that lie back to back within the solid");
+    }
     const BadEdges bad = find_bad_edges(mesh);
     const std::string sides =
         doubled > 0 ? "its faces are doubled, each is there twice, turned both ways; " : "";
@@ -168,17 +182,18 @@ Solid make_solid(std::string name, Mesh mesh, const SolidOptions& given) {
     solid.name = std::move(name);
     mend(mesh, moved, options, solid);
 
-    const bool overlapping = turn_outwards(mesh, solid.mended);
+    const PartsMeet meet = turn_outwards(mesh, solid.mended);
     Integrals of = integrate(mesh);
     const double longest = bounding_box(mesh).size().maxCoeff();
     if (!(of.volume > 1e-12 * longest * longest * longest))
         lod::refuse_input(options.source, why_no_volume(mesh, moved));
-    if (overlapping) {
+    // Where surfaces touch or cross, the nearest one does not tell the inside.
+    if (meet != PartsMeet::apart) solid.inside_rule = InsideRule::winding;
+    if (meet == PartsMeet::crossing) {
         of = integrate(filled(mesh, options));
         solid.approximate = true;
-        solid.inside_rule = InsideRule::winding;
         solid.mended.emplace_back(
-            "parts touch or overlap: volume, centre and inertia are of their union on a grid");
+            "parts overlap: volume, centre and inertia are of their union on a grid");
     }
     solid.centroid = of.centroid + moved;  // rounded as doubles are there
     const Point centre = solid.centroid - moved;

@@ -39,7 +39,7 @@ struct SolidOptions {
 /// inside-out are turned; of triangles that are all there twice, turned both ways, one each is
 /// kept; a shell within a shell that faces it is a cavity. Where closed parts overlap, the solid is
 /// their union: its surface keeps the hidden triangles, and the integrals are those of the union
-/// filled on a grid, marked approximate.
+/// filled on a grid, marked approximate. Parts that only touch keep their exact integrals.
 ///
 /// Throws lod::Error: input refused, with the counts of bad edges and the place of the first, where
 /// the mesh does not bound a solid of positive volume.

@@ -142,3 +142,41 @@ TEST_CASE("overlapping parts count once, and the integrals are marked", "[solid]
     const MeshDistance distance(solid.mesh, solid.inside_rule);
     CHECK(distance.inside(Point::Zero()));  // behind a hidden face
 }
+
+TEST_CASE("parts that only touch, by corner, edge or face, keep their exact integrals", "[solid]") {
+    const lod::Matrix<3> turn = lod::Space<3>::rotation(
+        lod::Space<3>::turned(lod::Space<3>::unturned(), lod::Vector<3>(0.3, -0.7, 0.4)));
+    for (const bool turned : {false, true})
+        for (const Point& by : {Point(1, 1, 1), Point(1, 1, 0), Point(1, 1, 0.3), Point(1, 0, 0),
+                                Point(1, 0.2, 0.3), Point(0.75, 0, 0), Point(0.75, 0.1, 0.2),
+                                Point(0.75, 0.75, 0.75), Point(0.75, 0.75, 0)}) {
+            CAPTURE(by, turned);
+            Mesh two = made("box:1,1,1");
+            const double scale = by[0] == 1 ? 1 : 0.5;
+            append(two, made("box:1,1,1"), by, scale);
+            if (turned)
+                for (Point& p : two.vertices) p = turn * p;
+            const Solid solid = make_solid("it", two);
+            CHECK_FALSE(solid.approximate);
+            CHECK(solid.volume == Approx(1 + scale * scale * scale).epsilon(1e-12));
+            const MeshDistance distance(solid.mesh, solid.inside_rule);
+            const Point inner =
+                turned ? Point(turn * Point(0.45, 0.1, 0.1)) : Point(0.45, 0.1, 0.1);
+            CHECK(distance.inside(inner - solid.centroid));
+        }
+}
+
+TEST_CASE("parts that share a space are told from those that touch", "[solid]") {
+    for (const Point& by :
+         {Point(0.5, 0, 0), Point(0.5, 0.5, 0), Point(0.5, 0.5, 0.5), Point(0.999, 0, 0),
+          Point(0.999, 0.2, 0.999), Point(0.25, 0.25, 0.25)}) {
+        CAPTURE(by);
+        Mesh two = made("box:1,1,1");
+        const double scale = by[0] == 0.25 ? 0.5 : 1;  // inside, with three faces in common
+        append(two, made("box:1,1,1"), by, scale);
+        CHECK(make_solid("it", two).approximate);
+    }
+    Mesh through = made("box:1,1,1");  // a bar through a box: no corner of either lies in the other
+    append(through, made("box:3,0.2,0.2"), Point::Zero());
+    CHECK(make_solid("it", through).approximate);
+}
