@@ -103,6 +103,7 @@ bool names_file(const fs::path& input, const fs::path& output) {
 bool came_with_lodlab(const fs::path& output) {
     std::error_code ignored;
     if (!fs::exists(output, ignored)) return false;
+    if (is_same_file(output, "/proc/self/exe")) return true;
     try {
         const fs::path inside = output.lexically_relative(fs::canonical(scenes::folder(), ignored));
         return !inside.empty() && *inside.begin() != "..";
@@ -119,6 +120,9 @@ void check_against(const Output& output, const std::vector<fs::path>& inputs) {
         if (names_file(input, output.real))
             misused(what + "the input " + input.string() + " names it; choose another name");
     }
+    for (const char* stream : {"/proc/self/fd/1", "/proc/self/fd/2"})
+        if (is_same_file(output.real, stream))
+            misused(what + "the program prints there; choose another name");
     if (came_with_lodlab(output.real)) misused(what + "it came with lodlab; choose another name");
 }
 

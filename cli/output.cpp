@@ -21,7 +21,8 @@ void print(const std::string& text) {
 }
 
 void print(const nlohmann::ordered_json& json) {
-    print(json.dump(2) + "\n");
+    // A name need not be UTF-8.
+    print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 void remark(const std::string& line) {

@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr int most_names = 100;
 constexpr int most_links = 40;             // that stand for one file, as the system has it
 constexpr std::size_t longest_name = 255;  // of a file, in bytes, as the system has it
-constexpr std::string_view part_mark = ".part";
+constexpr std::string_view part_mark = ".lodlab-part";
 
 std::string mend(int error_number) {
     switch (error_number) {
@@ -112,7 +112,7 @@ void keep_mode(const fs::path& old, int descriptor) {
     struct stat status {};
     if (::stat(old.c_str(), &status) != 0) return;
     static_cast<void>(::fchown(descriptor, status.st_uid, status.st_gid) == 0);
-    static_cast<void>(::fchmod(descriptor, status.st_mode & 07777));
+    static_cast<void>(::fchmod(descriptor, status.st_mode & 0777));
 }
 #endif
 

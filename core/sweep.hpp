@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct SweepSettings {
     int deepest_level = 1000;  ///< of the trees that are swept; no budget is asked
     bool exact = false;        ///< the true shapes instead, where both bodies have one
     double tolerance = 1e-9;   ///< of the true shapes' touching [m], see ImpactSettings
-    int most_impacts = 64;     ///< of one frame; a body that would have more waits for the next
+    int most_impacts = 64;     ///< of a body in one frame; it stays where it has one more
 };
 
 /// A contact that a body ran into between two frames.
@@ -46,8 +47,8 @@ template <int Dim>
 /// thickness of motion, or by their true shapes. Impacts are answered one after the other in the
 /// order of time, each by its two bodies alone, which then go on.
 ///
-/// Bodies that overlap at the beginning must come apart before they can meet again. A body whose
-/// frame would hold more than most_impacts is left where its next one is.
+/// Bodies that overlap meet where they approach. A body
+/// with more than most_impacts in a frame stays where it has one more, and others meet it there.
 template <int Dim>
 class Sweeper {
   public:
@@ -68,6 +69,8 @@ class Sweeper {
         std::int32_t a = 0;
         std::int32_t b = 0;
         std::vector<Contact<Dim>> contacts;
+        Body<Dim> body_a;  ///< at that time
+        Body<Dim> body_b;
     };
     struct Span {
         double begin = 0;
@@ -78,23 +81,26 @@ class Sweeper {
     [[nodiscard]] Body<Dim> at_time(std::size_t body, double time) const;
     [[nodiscard]] bool may_meet(std::size_t a, std::size_t b, Span& span) const;
     [[nodiscard]] bool next_meeting(std::size_t a, std::size_t b, Meeting& meeting);
-    [[nodiscard]] bool exact_meeting(const Span& span, Meeting& meeting) const;
+    [[nodiscard]] bool exact_meeting(const Span& span, Meeting& meeting);
     [[nodiscard]] bool swept_meeting(const Span& span, Meeting& meeting);
-    /// Whether the trees meet then; fills `front_`.
-    [[nodiscard]] bool meet_at(const Meeting& pair, double time, double step);
+    [[nodiscard]] bool may_meet_border(std::size_t body, std::size_t border, Span& span) const;
+    /// Whether the trees meet then and approach; fills `front_` and the meeting's bodies.
+    [[nodiscard]] bool approach_at(Meeting& pair, double time, double step);
     void forget_those_of(std::int32_t a, std::int32_t b);
     void find_those_of(std::size_t body);
-    void answer(const Meeting& meeting, std::vector<SweptImpact<Dim>>& found);
-    void leave_waiting();
+    void answer(Meeting& meeting, std::vector<SweptImpact<Dim>>& found);
+    [[nodiscard]] bool hold(const Meeting& meeting);
 
     std::span<Body<Dim>> bodies_;
     double time_step_ = 0;
     SweepSettings settings_;
     Model model_;
 
-    std::vector<const SphereTree<Dim>*> measured_;  ///< of each body: the tree of thickness_
+    std::vector<std::shared_ptr<const SphereTree<Dim>>> measured_;  ///< the trees of thickness_
     std::vector<double> thickness_;
     std::vector<double> now_;  ///< of each body: to when it has moved [s]
+    std::vector<int> impacts_of_;
+    std::vector<char> held_;  ///< moves no further in this step
     std::vector<Meeting> meetings_;
 
     PosedTree<Dim> posed_a_;

@@ -49,6 +49,7 @@ class Pen {
     void disc(const Point& at);
     void dot(const Point& at, const Point& along);
     void end(const Point& at, const Point& outwards);
+    void arc(const Point& at, const Point& from, const Point& to, Ring& ring) const;
     void join(const Point& at, const Point& before, const Point& after);
 
     const StrokeStyle& style_;
@@ -76,15 +77,34 @@ void Pen::end(const Point& at, const Point& outwards) {
     add({at - side, at - side + ahead, at + side + ahead, at + side});
 }
 
+/// Appends the shorter arc about `at` between two arms, without its beginning.
+void Pen::arc(const Point& at, const Point& from, const Point& to, Ring& ring) const {
+    const double chord = 2 * r_ * std::numbers::pi / steps_;
+    if ((to - from).norm() > chord) {
+        const Point middle = r_ * (from + to).normalized();
+        arc(at, from, middle, ring);
+        arc(at, middle, to, ring);
+    } else {
+        ring.push_back(at + to);
+    }
+}
+
 /// The corner between lines along two unit vectors.
 void Pen::join(const Point& at, const Point& before, const Point& after) {
     const double sine = cross(before, after);
     const double cosine = before.dot(after);
     if (sine == 0 && cosine > 0) return;
-    if (style_.join == StrokeJoin::round) return disc(at);
     const double outer = sine > 0 ? -r_ : r_;  // the outer side is on the right of a left turn
     const Point from = at + outer * turned_left(before);
     const Point to = at + outer * turned_left(after);
+    if (style_.join == StrokeJoin::round) {
+        // Only the outer side's sector: a whole disc would stand out of an end near by.
+        const Point middle = r_ * (before - after).normalized();
+        Ring sector{at, from};
+        arc(at, from - at, middle, sector);
+        arc(at, middle, to - at, sector);
+        return add(std::move(sector));
+    }
     // The miter reaches r / cos(half the turn); its square, by the half-angle formula:
     const double reach_squared = 2 / (1 + cosine);
     if (style_.join == StrokeJoin::miter && 1 + cosine > 1e-12 &&
@@ -132,7 +152,8 @@ class Dashes {
         for (const double length : lengths_) period += length;
         double into = std::fmod(style.dash_offset, period);
         if (into < 0) into += period;
-        while (into >= lengths_[at_]) {
+        // A first dash without length is a dot.
+        while (into > 0 && into >= lengths_[at_]) {
             into -= lengths_[at_];
             step();
         }

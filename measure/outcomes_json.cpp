@@ -106,7 +106,8 @@ Outcomes outcomes_from(const Json& json) {
 std::string outcomes_json(const Outcomes& outcomes) {
     std::string text = "{\"lodlab_outcomes\": ";
     text.append(std::to_string(outcomes_version));
-    text.append(",\n \"plan\": ").append(plan_json(outcomes.plan).dump());
+    text.append(",\n \"plan\": ")
+        .append(plan_json(outcomes.plan).dump(-1, ' ', false, Json::error_handler_t::replace));
     text +=
         ",\n \"outcome\": \"impulse_error, angle_error, spin_error, gap, gap_bound, delay, "
         "tests, microseconds, missed\",\n \"impacts\": [";

@@ -227,7 +227,7 @@ void write_trace(const std::filesystem::path& path, const std::string& scene,
                        {"dim", Dim},
                        {"fingerprint", hexadecimal(fingerprint(bodies_at_start))},
                        {"settings", settings_json(run.settings)}};
-    std::string text = head.dump();
+    std::string text = head.dump(-1, ' ', false, Json::error_handler_t::replace);  // a name
     text.pop_back();  // the closing brace
     file.write(text + ",\n\"frames\": [\n");
     for (std::size_t k = 0; k < run.steps.size(); ++k) {

@@ -169,6 +169,42 @@ TEST_CASE("names are as long as the system has them, and no output is a link to 
     }
 }
 
+TEST_CASE("the program and where it prints are no places for a picture or a trace") {
+    const Scratch scratch;
+    fs::create_symlink(fs::canonical(LODLAB_PROGRAM), scratch.path() / "program.json");
+    const Outcome outcome = lodlab(
+        {"simulate", "offset_boxes", "--duration", "0.1", "--trace", scratch / "program.json"});
+    CHECK(outcome.code == 2);
+    CHECK(contains(outcome.err, "it came with lodlab"));
+    for (const bool error : {false, true}) {
+        const std::string log = scratch.write("log.json", "");
+        Start start;
+        start.in_child = [&] {
+            if (std::freopen(log.c_str(), "w", error ? stderr : stdout) == nullptr) ::_exit(124);
+        };
+        const Outcome mixed =
+            lodlab({"simulate", "offset_boxes", "--duration", "0.1", "--trace", log}, start);
+        CHECK(mixed.code == 2);
+        CHECK(contains(error ? content(log) : mixed.err, "the program prints there"));
+    }
+}
+
+TEST_CASE("names that are no text are no internal error") {
+    const Scratch scratch;
+    const std::string odd = scratch.write("n\xff.toml",
+                                          "[[body]]\nshape = \"box\"\n[[body]]\nshape = "
+                                          "\"box\"\nposition = [3, 0]\n");
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"simulate", odd, "--duration", "0.1", "--trace",
+                                   scratch / "o.json", "--json"},
+          {"compare", odd, "--duration", "0.1", "--json", "--out", scratch / "c.json"},
+          {"collide", odd, "--json"}}) {
+        const Outcome outcome = lodlab(arguments);
+        INFO(outcome.err);
+        CHECK(outcome.code == 0);
+    }
+}
+
 TEST_CASE("a device or a pipe is no place for a file that is complete or absent") {
     const Scratch scratch;
     REQUIRE(::mkfifo((scratch / "pipe.svg").c_str(), 0600) == 0);
@@ -183,9 +219,12 @@ TEST_CASE("what a process that died left half-written is swept by the next one")
     const pid_t dead = ::fork();
     if (dead == 0) ::_exit(0);
     ::waitpid(dead, nullptr, 0);
-    const std::string old = scratch.write("film.mp4.part" + std::to_string(dead) + "-0", "half");
-    const std::string ours = scratch.write("a.svg.part" + std::to_string(::getpid()) + "-0", "x");
-    const std::string other = scratch.write("letter.part1", "not a part of lodlab's");
+    const std::string old =
+        scratch.write("film.mp4.lodlab-part" + std::to_string(dead) + "-0", "half");
+    const std::string ours =
+        scratch.write("a.svg.lodlab-part" + std::to_string(::getpid()) + "-0", "x");
+    const std::string other =
+        scratch.write("letter.part" + std::to_string(dead) + "-0", "not a part of lodlab's");
     CHECK(lodlab({"tree", "box", "--depth", "1", "--out", scratch / "a.svg"}).code == 0);
     CHECK_FALSE(fs::exists(old));
     CHECK(fs::exists(ours));
@@ -199,7 +238,7 @@ TEST_CASE("every signal that ends a program lets it tidy up") {
     const Scratch scratch;
     Start start;
     start.signal = signal;
-    start.when_exists = scratch.path() / "film.mp4.part";
+    start.when_exists = scratch.path() / "film.mp4.lodlab-part";
     const Outcome outcome = lodlab(
         {"simulate", "gears_in_a_box", "--quality", "4k", "--out", scratch / "film.mp4"}, start);
     CHECK(outcome.code == 128 + signal);
@@ -212,7 +251,7 @@ TEST_CASE("a closed terminal does not stop what runs under nohup") {
     Start start;
     start.in_child = [] { std::signal(SIGHUP, SIG_IGN); };
     start.signal = SIGHUP;
-    start.when_exists = scratch.path() / "film.mp4.part";
+    start.when_exists = scratch.path() / "film.mp4.lodlab-part";
     const Outcome outcome = lodlab({"simulate", "offset_boxes", "--duration", "0.3", "--quality",
                                     "draft", "--out", scratch / "film.mp4"},
                                    start);

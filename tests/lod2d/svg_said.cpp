@@ -58,6 +58,13 @@ TEST_CASE("pens have joins, caps, limits and dashes", "[svg][svg-cases]") {
         {"<path d='M4 4h0' fill='none' stroke='#000' stroke-width='4' stroke-linecap='round'/>",
          pi / 4},
         {"<circle r='8' fill='none' stroke='#000' stroke-width='4'/>", pi * (100 - 36) / 400},
+        // Half a ring of radii 3 and 13, its ends cut straight.
+        {"<path d='M12 20A8 8 0 0 1 28 20' fill='none' stroke='#000' stroke-width='10' "
+         "stroke-linejoin='round'/>",
+         pi * (169 - 9) / 2 / (26 * 26)},
+        {"<path d='M4 10H27' fill='none' stroke='#000' stroke-width='4' stroke-dasharray='0 8' "
+         "stroke-linecap='round'/>",
+         3 * pi * 4 / (20 * 20)},
     };
     check(round, 1e-3);
 }

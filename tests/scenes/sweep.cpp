@@ -195,3 +195,104 @@ TEST_CASE("a body that is too fast to be seen is warned of by its name, with its
     bodies[0].velocity = {4, 0};
     CHECK(warnings().empty());
 }
+
+namespace {
+
+/// One swept frame of a hundredth of a second; the impacts of it.
+std::vector<lod::SweptImpact<2>> swept_frame(std::span<lod::Body<2>> bodies, bool exact) {
+    std::vector<lod::SweptImpact<2>> found;
+    lod::Sweeper<2> sweeper;
+    sweeper.advance(bodies, 0.01, {.on = true, .exact = exact}, {}, found);
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("every fast body at one wall bounces, not the first alone") {
+    const auto [ball, wall] = ball_and_wall<2>();
+    for (const bool exact : {false, true}) {
+        std::array<lod::Body<2>, 4> bodies{ball, wall, ball, ball};
+        for (const std::size_t i : {0, 2, 3}) {
+            bodies[i].position = {-3 - 0.1 * static_cast<double>(i), 0.1 * static_cast<double>(i)};
+            bodies[i].velocity = {500, 0};
+        }
+        CHECK(swept_frame(bodies, exact).size() >= 3);
+        for (const std::size_t i : {0, 2, 3}) {
+            CHECK(bodies[i].position.x() < 0);
+            CHECK(bodies[i].velocity.x() < 0);
+        }
+    }
+}
+
+TEST_CASE("a body that digs in with another corner while the first leaves does not pass") {
+    const auto wall = ball_and_wall<2>()[1];
+    const auto box = made<2>("box:0.1,0.1", 3);
+    for (int turn = 0; turn < 36; ++turn)
+        for (const double spin : {0.0, 100.0, -300.0})
+            for (const bool exact : {false, true}) {
+                CAPTURE(turn, spin, exact);
+                std::array<lod::Body<2>, 2> bodies{box, wall};
+                bodies[0].position = {-3.3, 0};
+                bodies[0].velocity = {500, 0};
+                bodies[0].spin[0] = spin;
+                bodies[0].orientation = turn * 0.1745;
+                swept_frame(bodies, exact);
+                CHECK(bodies[0].position.x() < 0);
+                CHECK(lod::kinetic_energy<2>(bodies) ==
+                      Approx(125000 + spin * spin / 1200).epsilon(1e-9));
+            }
+}
+
+TEST_CASE("what touches at the beginning passes on the blow and does not give way") {
+    // Balls in a row up to a wall, all touching; another flies at them.
+    const auto [ball, wall] = ball_and_wall<2>();
+    for (const bool exact : {false, true}) {
+        std::array<lod::Body<2>, 5> bodies{ball, ball, ball, wall, ball};
+        const double radius = 0.01 * std::cos(3.14159265358979 / 32);  // to a face of the polygon
+        bodies[3].position = {1, 0};
+        for (const std::size_t i : {0, 1, 2})
+            bodies[i].position = {0.995 - (5 - 2 * static_cast<double>(i)) * radius, 0};
+        bodies[4].position = {-1, 0};
+        bodies[4].velocity = {400, 0};
+        swept_frame(bodies, exact);
+        for (const std::size_t i : {0, 1, 2, 4}) CHECK(bodies[i].position.x() < 1);
+    }
+}
+
+TEST_CASE("a body that a floor throws back meets the wall beyond it") {
+    const auto [ball, wall] = ball_and_wall<2>();
+    lod::Body<2> floor;
+    floor.tree = std::make_shared<const lod::SphereTree<2>>(lod::half_space<2>({0, 1}));
+    lod::make_static(floor);
+    for (const bool exact : {false, true}) {
+        std::array<lod::Body<2>, 3> bodies{ball, floor, wall};
+        bodies[0].position = {-2, 0.1};
+        bodies[0].velocity = {400, -40};
+        swept_frame(bodies, exact);  // down at x = -1.1, up to the wall at y = 0.11
+        CHECK(bodies[0].position.x() < 0);
+        CHECK(bodies[0].position.y() > 0);
+    }
+}
+
+TEST_CASE("a body that waits is met where it waits") {
+    auto bodies = ball_between_walls();
+    std::array<lod::Body<2>, 4> all{bodies[0], bodies[1], bodies[2], bodies[0]};
+    all[3].position = {0.3, 0};
+    all[3].velocity = {-900, 0};
+    for (const std::size_t i : {0, 3}) all[i].orientation = 3.14159265358979 / 32;  // faces ahead
+    std::vector<lod::SweptImpact<2>> found;
+    lod::Sweeper<2> sweeper;
+    for (const bool exact : {false, true}) {
+        auto now = all;
+        sweeper.advance(now, step, {.on = true, .exact = exact, .most_impacts = 3}, {}, found);
+        CHECK(now[0].position.x() < now[3].position.x());
+        CHECK(std::abs(now[0].position.x()) < 0.49);
+        CHECK(std::abs(now[3].position.x()) < 0.49);
+        std::vector<int> impacts(4, 0);
+        for (const auto& met : found) {
+            ++impacts[static_cast<std::size_t>(met.a)];
+            ++impacts[static_cast<std::size_t>(met.b)];
+        }
+        CHECK(std::max(impacts[0], impacts[3]) >= 3);
+    }
+}
