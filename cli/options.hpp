@@ -44,7 +44,7 @@ struct Options {
     std::string point_model;
     std::string contact_model;
     std::string finest;
-    std::string sweep;  ///< "on", "off"; empty: as the scene says
+    std::string sweep;       ///< "on", "off"; empty: as the scene says
     bool projected = false;  ///< the picture of collide, in space
     std::string picture;     ///< of simulate: "strip", "plot"; empty: what suits the scene
     std::string trace;

@@ -85,9 +85,11 @@ void check_replay(const Options& options) {
 
 template <int Dim>
 void simulate(const scenes::Scene& scene, const Options& options) {
+    std::optional<scenes::Trace> trace;  // read before the trees are built
+    if (!options.replay.empty()) trace = scenes::read_trace(options.replay);
     const scenes::Setup<Dim> setup = stage<Dim>(scene, options);
     const scenes::Run<Dim> run =
-        options.replay.empty() ? play(setup, options, "Simulating") : play_again(setup, options);
+        trace ? play_again(setup, *trace) : play(setup, options, "Simulating");
     if (!options.trace.empty())
         scenes::write_trace<Dim>(options.trace, setup.scene.name, setup.bodies, run);
     write_outputs(options, drawing_of(setup, run, options));

@@ -29,6 +29,15 @@ void override_limits(const Options& options, scenes::Limits& limits) {
     if (given == 1) limits = {options.level, options.budget, options.milliseconds};
 }
 
+void check_frames(const scenes::Scene& scene, const Options& options) {
+    const double most = most_frames * options.raise_limits;
+    if (static_cast<double>(scene.frames()) > most)
+        throw lod::Error(lod::ErrorKind::limit_exceeded,
+                         std::to_string(scene.frames()) + " frames, the limit is " +
+                             readable(most) +
+                             "; shorten the duration, or raise the limit by --raise-limits");
+}
+
 const lod::Clock& steady_clock() {
     static const lod::SteadyClock clock;
     return clock;
@@ -49,6 +58,12 @@ scenes::Scene scene_of(const Options& options) {
     override_choice(options.finest, scenes::finest_names, scene.finest.level);
     if (!options.sweep.empty()) scene.sweep = options.sweep == "on";
     if (options.duration) scene.duration = *options.duration;
+    check_frames(scene, options);
+    if (options.at) {
+        scenes::Scene until = scene;
+        until.duration = *options.at;
+        check_frames(until, options);
+    }
     return scene;
 }
 
@@ -68,12 +83,7 @@ template <int Dim>
 scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
                       const std::string& label) {
     const scenes::Scene& scene = setup.scene;
-    const double most = most_frames * options.raise_limits;
-    if (static_cast<double>(scene.frames()) > most)
-        throw lod::Error(lod::ErrorKind::limit_exceeded,
-                         std::to_string(scene.frames()) + " frames, the limit is " +
-                             readable(most) +
-                             "; shorten the duration, or raise the limit by --raise-limits");
+    check_frames(scene, options);
     ProgressBar bar(label);
     scenes::RunOptions run;
     run.settings = scenes::frame_settings(scene, scene.limits);
@@ -88,18 +98,18 @@ scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
 }
 
 template <int Dim>
-scenes::Run<Dim> play_again(const scenes::Setup<Dim>& setup, const Options& options) {
+scenes::Run<Dim> play_again(const scenes::Setup<Dim>& setup, const scenes::Trace& trace) {
     ProgressBar bar("Playing again");
     scenes::RunOptions run;
     run.clock = &steady_clock();
     run.progress = [&](double share) { bar.show(share); };
-    return scenes::replay(scenes::read_trace(options.replay), setup.bodies, run);
+    return scenes::replay(trace, setup.bodies, run);
 }
 
 #define CLI_INSTANTIATE(Dim)                                                                       \
     template scenes::Setup<Dim> stage(const scenes::Scene&, const Options&);                       \
     template scenes::Run<Dim> play(const scenes::Setup<Dim>&, const Options&, const std::string&); \
-    template scenes::Run<Dim> play_again(const scenes::Setup<Dim>&, const Options&);
+    template scenes::Run<Dim> play_again(const scenes::Setup<Dim>&, const scenes::Trace&);
 CLI_INSTANTIATE(2)
 CLI_INSTANTIATE(3)
 #undef CLI_INSTANTIATE
