@@ -10,8 +10,11 @@ std::atomic<int> stop_signal{0};
 namespace {
 
 std::string without_controls(std::string line) {
-    std::ranges::replace_if(
-        line, [](char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }, ' ');
+    const auto is_control = [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 0x20 || byte == 0x7f;
+    };
+    std::ranges::replace_if(line, is_control, ' ');
     return line;
 }
 
