@@ -2,6 +2,7 @@
 
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
+#include "lodlab/io/whole_number.hpp"
 #include "lodlab/measure/curves.hpp"
 #include "lodlab/scenes/scene.hpp"
 
@@ -53,14 +54,14 @@ Json plan_json(const Plan& plan) {
 
 Plan plan_from(const Json& json) {
     Plan plan;
-    plan.dim = json.at("dim").get<int>();
+    plan.dim = io::whole_number<int>(json.at("dim"));
     plan.shapes = json.at("shapes").get<std::vector<std::string>>();
     plan.builder = json.at("builder").get<std::string>();
-    plan.branching = json.at("branching").get<int>();
-    plan.depth = json.at("depth").get<int>();
-    plan.impacts = json.at("impacts").get<int>();
+    plan.branching = io::whole_number<int>(json.at("branching"));
+    plan.depth = io::whole_number<int>(json.at("depth"));
+    plan.impacts = io::whole_number<int>(json.at("impacts"));
     plan.time_step = json.at("time_step").get<double>();
-    plan.ensemble.seed = json.at("seed").get<std::uint64_t>();
+    plan.ensemble.seed = io::whole_number<std::uint64_t>(json.at("seed"));
     plan.ensemble.speed = json.at("speed").get<double>();
     plan.ensemble.spin = json.at("spin").get<double>();
     plan.ensemble.aim = json.at("aim").get<double>();
@@ -86,11 +87,11 @@ Outcome outcome_from(const Json& json) {
 }
 
 Outcomes outcomes_from(const Json& json) {
-    if (json.at("lodlab_outcomes").get<int>() != outcomes_version)
+    if (io::whole_number<int>(json.at("lodlab_outcomes")) != outcomes_version)
         throw std::invalid_argument("it has another version");
     Outcomes outcomes{plan_from(json.at("plan")), {}};
     for (const Json& entry : json.at("impacts")) {
-        ImpactOutcomes impact{entry.at("number").get<int>(), {}};
+        ImpactOutcomes impact{io::whole_number<int>(entry.at("number")), {}};
         for (const Json& outcome : entry.at("outcomes"))
             impact.outcomes.push_back(outcome_from(outcome));
         if (impact.outcomes.size() != outcomes.plan.curves() * outcomes.plan.levels())

@@ -8,6 +8,7 @@
 #include "lodlab/core/exact_shape.hpp"
 #include "lodlab/core/output_file.hpp"
 #include "lodlab/core/state_hash.hpp"
+#include "lodlab/io/whole_number.hpp"
 
 namespace scenes {
 namespace {
@@ -132,10 +133,10 @@ Choice choice(const Json& json, const std::array<std::string_view, n>& names) {
 lod::SweepSettings sweep_from(const Json& json) {
     lod::SweepSettings sweep;
     sweep.on = json.at("on").get<bool>();
-    sweep.deepest_level = json.at("deepest_level").get<int>();
+    sweep.deepest_level = io::whole_number<int>(json.at("deepest_level"));
     sweep.exact = json.at("exact").get<bool>();
     sweep.tolerance = json.at("tolerance").get<double>();
-    sweep.most_impacts = json.at("most_impacts").get<int>();
+    sweep.most_impacts = io::whole_number<int>(json.at("most_impacts"));
     if (!(sweep.tolerance > 0)) throw std::invalid_argument("tolerance is out of range");
     return sweep;
 }
@@ -143,13 +144,13 @@ lod::SweepSettings sweep_from(const Json& json) {
 lod::FrameSettings settings_from(const Json& json) {
     lod::FrameSettings settings;
     settings.time_step = json.at("time_step").get<double>();
-    settings.deepest_level = json.at("deepest_level").get<int>();
+    settings.deepest_level = io::whole_number<int>(json.at("deepest_level"));
     settings.response = choice<lod::Response>(json.at("response"), response_names);
     if (json.contains("finest")) {  // traces from before there was one have none
         const Json& finest = json.at("finest");
         settings.finest.level = choice<lod::Finest>(finest.at("level"), finest_names);
-        settings.finest.most_pairs = finest.at("most_pairs").get<int>();
-        settings.finest.cost = finest.at("cost").get<std::uint64_t>();
+        settings.finest.most_pairs = io::whole_number<int>(finest.at("most_pairs"));
+        settings.finest.cost = io::whole_number<std::uint64_t>(finest.at("cost"));
         settings.finest.tolerance = finest.at("tolerance").get<double>();
         if (!(settings.finest.tolerance > 0))
             throw std::invalid_argument("tolerance is out of range");
@@ -171,13 +172,14 @@ Json cut_json(const lod::Cut& cut) {
 }
 
 lod::Cut cut_from(const Json& json) {
-    return {json.at("pair").get<std::int32_t>(), json.at("level").get<std::int32_t>(),
-            json.at("tests").get<std::uint64_t>()};
+    return {io::whole_number<std::int32_t>(json.at("pair")),
+            io::whole_number<std::int32_t>(json.at("level")),
+            io::whole_number<std::uint64_t>(json.at("tests"))};
 }
 
 Trace trace_from(const Json& json) {
     Trace trace;
-    if (json.at("lodlab_trace").get<int>() != trace_version)
+    if (io::whole_number<int>(json.at("lodlab_trace")) != trace_version)
         throw std::invalid_argument("it has another version");
     trace.scene = json.at("scene").get<std::string>();
     trace.fingerprint = from_hexadecimal(json.at("fingerprint").get_ref<const std::string&>());
