@@ -178,7 +178,9 @@ FullSize at_full_size(const std::string& name, const Renderer& renderer, const P
 std::string power_of_ten(double value) {
     int exponent = 0;
     for (double power = 0.1; power >= value && exponent < 12; power /= 10) ++exponent;
-    return "1e-" + std::to_string(exponent);
+    std::string text = "1e-";
+    text += std::to_string(exponent);
+    return text;
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ Point corner_at(std::string_view bytes, std::size_t record, std::size_t which) {
 bool is_text(std::string_view bytes) {
     constexpr std::size_t looked_at = 512;
     return std::ranges::none_of(bytes.substr(0, looked_at), [](char c) {
-        return c >= 0 && c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\v' && c != '\f';
+        return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r' &&
+               c != '\v' && c != '\f';
     });
 }
 
