@@ -18,8 +18,8 @@
 #include "lodlab/core/state_hash.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
-#include "lodlab/viz/draw_plot.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/draw/motion/draw_plot.hpp"
+#include "lodlab/viz/paint/write.hpp"
 
 namespace {
 

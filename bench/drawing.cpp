@@ -10,9 +10,10 @@
 #include "bench/timing.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
-#include "lodlab/viz/draw_traversal.hpp"
-#include "lodlab/viz/paint.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/draw/draw_traversal.hpp"
+#include "lodlab/viz/film/video.hpp"
+#include "lodlab/viz/film/write.hpp"
+#include "lodlab/viz/paint/paint.hpp"
 
 namespace {
 
@@ -64,7 +65,7 @@ int main(int argc, char** argv) {
             const auto path = folder / (std::string("lodlab_bench_drawing.") + ending);
             double wall = 0;
             const double all = bench::seconds([&] {
-                wall = bench::wall_seconds([&] { viz::write_video(path, film, options); });
+                wall = bench::wall_seconds([&] { viz::write_animation(path, film, options); });
             });
             std::printf(
                 "  %-4s (%s): drawn and encoded %.1f frames a second by the clock, "

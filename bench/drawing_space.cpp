@@ -11,9 +11,9 @@
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/load_mesh.hpp"
 #include "lodlab/lod3d/sphere_tree.hpp"
-#include "lodlab/viz/draw_tree.hpp"
-#include "lodlab/viz/draw_turntable.hpp"
-#include "lodlab/viz/paint.hpp"
+#include "lodlab/viz/draw/draw_tree.hpp"
+#include "lodlab/viz/draw/draw_turntable.hpp"
+#include "lodlab/viz/paint/paint.hpp"
 
 namespace {
 

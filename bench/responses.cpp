@@ -9,8 +9,8 @@
 
 #include "bench/timing.hpp"
 #include "lodlab/core/response.hpp"
-#include "lodlab/viz/draw_plot.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/draw/motion/draw_plot.hpp"
+#include "lodlab/viz/paint/write.hpp"
 
 namespace {
 

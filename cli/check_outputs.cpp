@@ -5,12 +5,14 @@
 #include <optional>
 #include <string_view>
 
+#include "lodlab/core/ending.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/spelling.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/film/write.hpp"
+#include "lodlab/viz/paint/write.hpp"
 
 namespace cli {
 namespace {
@@ -89,7 +91,7 @@ std::vector<fs::path> inputs_of(const Options& options) {
 /// texture.
 bool names_file(const fs::path& input, const fs::path& output) {
     constexpr std::size_t most_bytes = std::size_t{1} << 30;
-    const std::string ending = scenes::ending_of(input.string());
+    const std::string ending = lod::ending_of(input);
     if (ending != "gltf" && ending != "glb" && ending != "obj" && ending != "svg") return false;
     std::error_code ignored;
     const fs::path folder = fs::canonical(input, ignored).parent_path();

@@ -10,8 +10,8 @@
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
 #include "lodlab/core/error.hpp"
-#include "lodlab/viz/draw_projection.hpp"
-#include "lodlab/viz/draw_traversal.hpp"
+#include "lodlab/viz/draw/draw_projection.hpp"
+#include "lodlab/viz/draw/draw_traversal.hpp"
 
 namespace cli {
 namespace {

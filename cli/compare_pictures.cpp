@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "cli/output.hpp"
-#include "lodlab/viz/draw_comparison.hpp"
+#include "lodlab/viz/draw/motion/draw_comparison.hpp"
 
 namespace cli {
 namespace {

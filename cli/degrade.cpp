@@ -15,7 +15,7 @@
 #include "lodlab/measure/curves.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/spelling.hpp"
-#include "lodlab/viz/draw_plot.hpp"
+#include "lodlab/viz/draw/motion/draw_plot.hpp"
 
 namespace cli {
 namespace {

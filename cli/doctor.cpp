@@ -10,7 +10,8 @@
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod2d/font.hpp"
 #include "lodlab/scenes/places.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/film/video.hpp"
+#include "lodlab/viz/paint/write.hpp"
 
 namespace cli {
 namespace {

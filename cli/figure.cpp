@@ -8,12 +8,12 @@
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
 #include "lodlab/core/error.hpp"
-#include "lodlab/viz/draw_backtracking.hpp"
-#include "lodlab/viz/draw_contacts.hpp"
-#include "lodlab/viz/draw_motion.hpp"
-#include "lodlab/viz/draw_strip.hpp"
-#include "lodlab/viz/draw_traversal.hpp"
-#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/draw/draw_contacts.hpp"
+#include "lodlab/viz/draw/draw_traversal.hpp"
+#include "lodlab/viz/draw/draw_tree.hpp"
+#include "lodlab/viz/draw/motion/draw_backtracking.hpp"
+#include "lodlab/viz/draw/motion/draw_motion.hpp"
+#include "lodlab/viz/draw/motion/draw_strip.hpp"
 
 namespace cli {
 namespace {

@@ -8,6 +8,8 @@
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
 #include "lodlab/scenes/spelling.hpp"
+#include "lodlab/viz/film/write.hpp"
+#include "lodlab/viz/paint/write.hpp"
 
 namespace cli {
 viz::Theme theme_of(const Options& options) {

@@ -7,8 +7,8 @@
 #include "cli/options.hpp"
 #include "lodlab/scenes/run.hpp"
 #include "lodlab/scenes/setup.hpp"
-#include "lodlab/viz/scene_view.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/draw/scene_view.hpp"
+#include "lodlab/viz/paint/options.hpp"
 
 namespace cli {
 

@@ -5,9 +5,9 @@
 
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
-#include "lodlab/viz/draw_motion.hpp"
-#include "lodlab/viz/draw_plot.hpp"
-#include "lodlab/viz/draw_strip.hpp"
+#include "lodlab/viz/draw/motion/draw_motion.hpp"
+#include "lodlab/viz/draw/motion/draw_plot.hpp"
+#include "lodlab/viz/draw/motion/draw_strip.hpp"
 
 namespace cli {
 namespace {

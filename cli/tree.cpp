@@ -13,8 +13,8 @@
 #include "lodlab/io/tree_json.hpp"
 #include "lodlab/lod3d/export_spheres.hpp"
 #include "lodlab/scenes/shapes.hpp"
-#include "lodlab/viz/draw_tree.hpp"
-#include "lodlab/viz/draw_turntable.hpp"
+#include "lodlab/viz/draw/draw_tree.hpp"
+#include "lodlab/viz/draw/draw_turntable.hpp"
 
 namespace cli {
 namespace {

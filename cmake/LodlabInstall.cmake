@@ -4,7 +4,8 @@ include(CMakePackageConfigHelpers)
 
 set(lodlab_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lodlab)
 
-# lodlab_install(NAME DESCRIPTION text [LODLAB names] [MODULES modules]) installs one library. LODLAB
+# lodlab_install(NAME [FOLDER folder] DESCRIPTION text [LODLAB names] [MODULES modules]) installs one
+# library, with the headers of its folder, which is named like it where none is given. LODLAB
 # names the libraries of ours that it stands on, MODULES the pkg-config modules that it links, which a
 # program links too where the library is static. What find_package needs for the same stands in
 # lodlab-config.cmake.in.
@@ -12,13 +13,24 @@ function(lodlab_install name)
   if(NOT TARGET ${name})
     return()
   endif()
-  cmake_parse_arguments(arg "" "DESCRIPTION" "LODLAB;MODULES" ${ARGN})
+  cmake_parse_arguments(arg "" "DESCRIPTION;FOLDER" "LODLAB;MODULES" ${ARGN})
+  if(NOT arg_FOLDER)
+    set(arg_FOLDER ${name})
+  endif()
+  set(LIBRARY "-L\${libdir} -llodlab_${name}")
+  get_target_property(type ${name} TYPE)
+  if(type STREQUAL INTERFACE_LIBRARY)
+    set(LIBRARY "")
+  endif()
   install(TARGETS ${name} EXPORT lodlab-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(EXPORT lodlab-${name} NAMESPACE lodlab:: FILE lodlab-${name}-targets.cmake
           DESTINATION ${lodlab_package_folder})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab
-          FILES_MATCHING PATTERN "*.hpp")
+  if(LIBRARY)
+    get_filename_component(above ${arg_FOLDER} DIRECTORY)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${arg_FOLDER}
+            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab/${above} FILES_MATCHING PATTERN "*.hpp")
+  endif()
 
   set(NAME ${name})
   set(DESCRIPTION "${arg_DESCRIPTION}")

@@ -23,7 +23,8 @@ function(lodlab_library name)
   set_target_properties(${name} PROPERTIES
     OUTPUT_NAME lodlab_${name} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
-  file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${name} ${lodlab_includes}/lodlab/${name}
+  get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${lodlab_includes}/lodlab/${folder}
        SYMBOLIC COPY_ON_ERROR)
   target_include_directories(${name}
     PUBLIC $<BUILD_INTERFACE:${lodlab_includes}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>

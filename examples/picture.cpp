@@ -3,7 +3,7 @@
 
 #include <lodlab/lod2d/build_tree.hpp>
 #include <lodlab/lod2d/generators.hpp>
-#include <lodlab/viz/write.hpp>
+#include <lodlab/viz/paint/write.hpp>
 
 int main() {
     const lod2d::Shape star = lod2d::generate("star:5");

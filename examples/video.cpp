@@ -4,8 +4,8 @@
 #include <lodlab/core/frame.hpp>
 #include <lodlab/lod2d/build_tree.hpp>
 #include <lodlab/lod2d/generators.hpp>
-#include <lodlab/viz/scene_view.hpp>
-#include <lodlab/viz/write.hpp>
+#include <lodlab/viz/draw/scene_view.hpp>
+#include <lodlab/viz/film/write.hpp>
 
 std::vector<viz::Ring> outline(const lod2d::Shape& shape) {
     std::vector<viz::Ring> rings;

@@ -13,6 +13,9 @@
 #include "lessons/source.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
+#include "lodlab/viz/film/video.hpp"
+#include "lodlab/viz/film/write.hpp"
+#include "lodlab/viz/paint/write.hpp"
 
 namespace lessons {
 namespace {
@@ -180,10 +183,10 @@ class BookWriter {
             meter_.did(what, progress.done - before);
             before = progress.done;
         };
-        viz::write_video(folder / files.light, lesson.animation, how);
+        viz::write_animation(folder / files.light, lesson.animation, how);
         before = 0;
         how.theme = viz::Theme::dark;
-        viz::write_video(folder / files.dark, lesson.animation, how);
+        viz::write_animation(folder / files.dark, lesson.animation, how);
         return files;
     }
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/viz/figure.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/figure/figure.hpp"
+#include "lodlab/viz/paint/options.hpp"
 
 namespace lessons {
 

@@ -12,7 +12,7 @@
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/shape.hpp"
 #include "lodlab/lod3d/solid.hpp"
-#include "lodlab/viz/draw_scene.hpp"
+#include "lodlab/viz/draw/draw_scene.hpp"
 
 // Words and marks that lessons share.
 namespace lessons {

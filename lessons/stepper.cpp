@@ -10,6 +10,7 @@
 #include "lessons/plain.hpp"
 #include "lessons/viewer.hpp"
 #include "lodlab/core/error.hpp"
+#include "lodlab/viz/paint/write.hpp"
 
 namespace lessons {
 namespace {

@@ -3,6 +3,7 @@
 #include <array>
 #include <fstream>
 
+#include "lodlab/core/ending.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod3d/import_scene.hpp"
 #include "lodlab/lod3d/mesh_faults.hpp"
@@ -32,14 +33,6 @@ const Format* format_of(std::string_view ending) {
     for (const Format& format : formats)
         if (format.ending == ending) return &format;
     return nullptr;
-}
-
-std::string ending_of(const fs::path& path) {
-    std::string ending = path.extension().string();
-    if (!ending.empty()) ending.erase(0, 1);
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return ending;
 }
 
 /// The size of a file that may be read [bytes].
@@ -104,7 +97,7 @@ bool is_mesh_format(const std::string& ending) {
 }
 
 FileMesh read_mesh(const fs::path& path, const ImportLimits& limits, const std::string& name) {
-    const SceneFile from{path, name.empty() ? path.string() : name, ending_of(path)};
+    const SceneFile from{path, name.empty() ? path.string() : name, lod::ending_of(path)};
     const std::uint64_t size = checked_size(from, limits);
     const Format& format = *format_of(from.ending);
     FileMesh file;

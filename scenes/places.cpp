@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "lodlab/core/ending.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod3d/import_limits.hpp"
 #include "lodlab/scenes/spelling.hpp"
@@ -110,16 +111,8 @@ std::vector<std::string> shapes_in(const std::string& list) {
     return shapes;
 }
 
-std::string ending_of(std::string_view name) {
-    std::string ending = std::filesystem::path(name).extension().string();
-    if (!ending.empty()) ending.erase(0, 1);
-    for (char& c : ending)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return ending;
-}
-
 bool looks_like_file(std::string_view name) {
-    const std::string ending = ending_of(name);
+    const std::string ending = lod::ending_of(name);
     return name.find('/') != std::string_view::npos || ending == "svg" ||
            lod3d::is_mesh_format(ending);
 }

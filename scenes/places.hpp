@@ -43,7 +43,4 @@ struct SharedFolder {
 /// before.
 [[nodiscard]] std::vector<std::string> shapes_in(const std::string& list);
 
-/// The ending of a file's name, without the point, in lower case.
-[[nodiscard]] std::string ending_of(std::string_view name);
-
 }  // namespace scenes

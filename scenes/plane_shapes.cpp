@@ -1,3 +1,4 @@
+#include "lodlab/core/ending.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/load.hpp"
@@ -28,7 +29,7 @@ std::string names_of_generators() {
 }  // namespace
 
 PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice& choice) {
-    if (lod3d::is_mesh_format(ending_of(spec)))
+    if (lod3d::is_mesh_format(lod::ending_of(spec)))
         throw lod::Error(lod::ErrorKind::usage,
                          spec +
                              " is a mesh, and this is the plane; write dim = 3 in a scene, or "

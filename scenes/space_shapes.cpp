@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "lodlab/core/ending.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod2d/load.hpp"
 #include "lodlab/lod3d/generators.hpp"
@@ -30,7 +31,7 @@ bool is_generator(const std::string& spec) {
 /// The shape's triangles in the frame of their source.
 lod3d::FileMesh mesh_of(const std::string& spec, double raise_limits) {
     if (is_generator(spec)) return {lod::make_from_spec(lod3d::solid_generators(), spec), 0, {}};
-    if (looks_like_file(spec) && ending_of(spec) != "svg")
+    if (looks_like_file(spec) && lod::ending_of(spec) != "svg")
         return lod3d::read_mesh(in_package(spec) ? package_file(spec).string() : spec,
                                 limits_raised(raise_limits), spec);
     if (lod2d::names_shape(spec))
@@ -173,7 +174,7 @@ std::vector<std::string_view> SpaceShapes::builders() {
 }
 
 int dimension_of(const std::string& spec) {
-    if (looks_like_file(spec)) return lod3d::is_mesh_format(ending_of(spec)) ? 3 : 2;
+    if (looks_like_file(spec)) return lod3d::is_mesh_format(lod::ending_of(spec)) ? 3 : 2;
     return is_generator(spec) && !lod2d::names_shape(spec) ? 3 : 2;
 }
 

@@ -5,7 +5,7 @@
 
 #include "lodlab/core/builder/power_diagram.hpp"
 #include "lodlab/lod2d/generators.hpp"
-#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/draw/draw_tree.hpp"
 
 namespace lessons {
 namespace tree {

@@ -5,7 +5,7 @@
 #include "lodlab/core/traversal.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/overlap.hpp"
-#include "lodlab/viz/draw_motion.hpp"
+#include "lodlab/viz/draw/motion/draw_motion.hpp"
 
 namespace lessons::impact {
 

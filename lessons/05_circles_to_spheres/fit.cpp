@@ -5,8 +5,8 @@
 #include "lodlab/lod2d/tree_report.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/sphere_tree.hpp"
-#include "lodlab/viz/draw_plot.hpp"
-#include "lodlab/viz/draw_tree.hpp"
+#include "lodlab/viz/draw/draw_tree.hpp"
+#include "lodlab/viz/draw/motion/draw_plot.hpp"
 
 namespace lessons::spheres {
 namespace {

@@ -6,7 +6,7 @@
 #include "lodlab/core/random.hpp"
 #include "lodlab/core/traversal.hpp"
 #include "lodlab/lod2d/generators.hpp"
-#include "lodlab/viz/draw_traversal.hpp"
+#include "lodlab/viz/draw/draw_traversal.hpp"
 
 namespace lessons {
 namespace spheres {

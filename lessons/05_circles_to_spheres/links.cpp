@@ -3,7 +3,7 @@
 #include "lessons/05_circles_to_spheres/lesson.hpp"
 #include "lodlab/core/traversal.hpp"
 #include "lodlab/lod3d/intersect.hpp"
-#include "lodlab/viz/draw_traversal.hpp"
+#include "lodlab/viz/draw/draw_traversal.hpp"
 
 namespace lessons::spheres {
 namespace {

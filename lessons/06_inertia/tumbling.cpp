@@ -3,7 +3,7 @@
 
 #include "lessons/06_inertia/lesson.hpp"
 #include "lodlab/core/integrate.hpp"
-#include "lodlab/viz/draw_plot.hpp"
+#include "lodlab/viz/draw/motion/draw_plot.hpp"
 
 namespace lessons::inertia {
 namespace {

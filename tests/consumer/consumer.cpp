@@ -7,7 +7,7 @@
 #include <lodlab/core/frame.hpp>
 #include <lodlab/lod2d/build_tree.hpp>
 #include <lodlab/scenes/setup.hpp>
-#include <lodlab/viz/write.hpp>
+#include <lodlab/viz/paint/write.hpp>
 
 lod::Body<2> disc(double mass, double x, double velocity) {
     const lod2d::Shape shape = scenes::Shapes<2>::named("disc", {});

@@ -6,7 +6,7 @@
 #include "lessons/source.hpp"
 #include "lodlab/core/error.hpp"
 #include "lodlab/core/output_file.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/figure/check.hpp"
 #include "tests/catch.hpp"
 #include "tests/sanitized.hpp"
 

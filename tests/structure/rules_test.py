@@ -26,21 +26,28 @@ HOUSE = {
     "lod3d/measure.cpp": "double extent(const Mesh& mesh, int axis) { return 1; }\n"
     "struct Hull { double least(const Point& p) const { return 2; } };\n",
     "lod2d/box2d_reference.cpp": "#include <box2d/box2d.h>\n",
-    "viz/figure.hpp": "#include <string>\n",
-    "viz/figure.cpp": '#include "viz/figure.hpp"\n',
-    "viz/tree.cpp": '#include "lod2d/shape.hpp"\n#include "viz/figure.hpp"\n',
-    "cli/main.cpp": '#include <CLI/CLI.hpp>\n#include "viz/figure.hpp"\n',
+    "viz/figure/figure.hpp": "#include <string>\n",
+    "viz/figure/figure.cpp": '#include "viz/figure/figure.hpp"\n',
+    "viz/draw/tree.hpp": '#include "lod2d/shape.hpp"\n#include "viz/figure/figure.hpp"\n',
+    "viz/draw/motion/run.cpp": '#include "viz/draw/tree.hpp"\n',
+    "viz/paint/space/render.cpp": '#include "viz/paint/canvas.hpp"\n',
+    "viz/paint/canvas.hpp": '#include "viz/figure/figure.hpp"\n',
+    "cli/main.cpp": '#include <CLI/CLI.hpp>\n#include "viz/figure/figure.hpp"\n',
     "tests/video.cpp": "#include <libavformat/avformat.h>\n",
     "core/long.cpp": "void f() {\n" + "    g();\n" * 58 + "}\nstruct S {\n" + "int i;\n" * 300 + "};\n",
 }
 
 BREACHES = {
-    "a lower folder includes a higher one": ("core/a.cpp", '#include "viz/figure.hpp"\n'),
+    "a lower folder includes a higher one": ("core/a.cpp", '#include "viz/figure/figure.hpp"\n'),
     "the plane includes space": ("lod2d/a.cpp", '#include "lod3d/mesh.hpp"\n'),
-    "pictures include scenes": ("viz/a.cpp", '#include "scenes/scene.hpp"\n'),
+    "drawing includes painting": ("viz/draw/a.cpp", '#include "viz/paint/canvas.hpp"\n'),
+    "painting includes drawing": ("viz/paint/space/a.cpp", '#include "viz/draw/tree.hpp"\n'),
+    "a room includes one that stands on it": ("viz/draw/a.cpp", '#include "viz/draw/motion/run.hpp"\n'),
+    "a file in no room": ("viz/a.cpp", "int i;\n"),
+    "pictures include scenes": ("viz/draw/a.cpp", '#include "scenes/scene.hpp"\n'),
     "a library includes the tests": ("scenes/a.cpp", '#include "tests/catch.hpp"\n'),
-    "an include without its folder": ("viz/a.cpp", '#include "figure.hpp"\n'),
-    "figure includes something of ours": ("viz/figure.hpp", '#include "core/body.hpp"\n'),
+    "an include without its folder": ("viz/draw/a.cpp", '#include "tree.hpp"\n'),
+    "figure includes something of ours": ("viz/figure/figure.hpp", '#include "core/body.hpp"\n'),
     "Dim is compared": ("core/a.hpp", "template <int Dim> int f() { return Dim == 2 ? 1 : 3; }\n"),
     "Dim is compared from the left": ("core/a.hpp", "static_assert(2 != Dim);\n"),
     "a specialisation for one dimension": ("core/a.cpp", "template <> void f<2>(int) {}\n"),
@@ -48,7 +55,7 @@ BREACHES = {
     "a function of the C library": ("measure/a.cpp", "double f(double x) { return std::atan2(x, 2); }\n"),
     "Eigen in a header": ("core/a.hpp", "#include <Eigen/Core>\n"),
     "a library crosses the border to Eigen": ("lod3d/a.cpp", '#include "core/eigen.hpp"\n'),
-    "Cairo in a header": ("viz/a.hpp", "#include <cairo/cairo.h>\n"),
+    "Cairo in a header": ("viz/paint/a.hpp", "#include <cairo/cairo.h>\n"),
     "JSON in a header": ("lod2d/a.hpp", "#include <nlohmann/json.hpp>\n"),
     "a test that ctest would not find": ("tests/a.cpp", 'TEST_CASE("one; two") {}\n'),
     "a long file": ("core/a.cpp", "int i;\n" * 401),
@@ -69,7 +76,7 @@ class Rules(unittest.TestCase):
             files = HOUSE | {"core/circle.hpp": '#include "core/body.hpp"\n'} | planted
             for name, text in files.items():
                 path = pathlib.Path(folder, name)
-                path.parent.mkdir(exist_ok=True)
+                path.parent.mkdir(parents=True, exist_ok=True)
                 path.write_text(text, encoding="utf-8")
             return breaches_in(folder)
 

@@ -1,8 +1,8 @@
-#include "lodlab/viz/draw_comparison.hpp"
+#include "lodlab/viz/draw/motion/draw_comparison.hpp"
 
 #include "lodlab/core/error.hpp"
-#include "lodlab/viz/number_text.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/figure/check.hpp"
+#include "lodlab/viz/figure/number_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/sample_scene.hpp"
 

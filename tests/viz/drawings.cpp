@@ -2,12 +2,12 @@
 
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod2d/outline.hpp"
-#include "lodlab/viz/draw_backtracking.hpp"
-#include "lodlab/viz/draw_contacts.hpp"
-#include "lodlab/viz/draw_motion.hpp"
-#include "lodlab/viz/draw_traversal.hpp"
-#include "lodlab/viz/draw_tree.hpp"
-#include "lodlab/viz/number_text.hpp"
+#include "lodlab/viz/draw/draw_contacts.hpp"
+#include "lodlab/viz/draw/draw_traversal.hpp"
+#include "lodlab/viz/draw/draw_tree.hpp"
+#include "lodlab/viz/draw/motion/draw_backtracking.hpp"
+#include "lodlab/viz/draw/motion/draw_motion.hpp"
+#include "lodlab/viz/figure/number_text.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/sample_scene.hpp"
 

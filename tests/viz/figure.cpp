@@ -1,4 +1,4 @@
-#include "lodlab/viz/figure.hpp"
+#include "lodlab/viz/figure/figure.hpp"
 
 #include "tests/catch.hpp"
 

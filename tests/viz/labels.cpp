@@ -1,4 +1,4 @@
-#include "lodlab/viz/labels.hpp"
+#include "lodlab/viz/paint/labels.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
-#include "lodlab/viz/number_text.hpp"
+#include "lodlab/viz/figure/number_text.hpp"
 
 #include <limits>
 
-#include "lodlab/viz/draw_plot.hpp"
-#include "lodlab/viz/plot.hpp"
+#include "lodlab/viz/draw/motion/draw_plot.hpp"
+#include "lodlab/viz/paint/plot.hpp"
 #include "tests/catch.hpp"
 
 using namespace viz;

@@ -1,4 +1,4 @@
-#include "lodlab/viz/palette.hpp"
+#include "lodlab/viz/paint/palette.hpp"
 
 #include <array>
 #include <cmath>

@@ -4,9 +4,10 @@
 #include <sstream>
 
 #include "lodlab/core/error.hpp"
-#include "lodlab/viz/paint.hpp"
-#include "lodlab/viz/write.hpp"
-#include "lodlab/viz/document.hpp"
+#include "lodlab/viz/figure/json.hpp"
+#include "lodlab/viz/paint/document.hpp"
+#include "lodlab/viz/paint/paint.hpp"
+#include "lodlab/viz/paint/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"
 

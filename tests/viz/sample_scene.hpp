@@ -5,7 +5,7 @@
 
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
-#include "lodlab/viz/scene_view.hpp"
+#include "lodlab/viz/draw/scene_view.hpp"
 
 namespace sample {
 

@@ -4,9 +4,11 @@
 
 #include "lodlab/core/error.hpp"
 #include "lodlab/lod3d/generators.hpp"
-#include "lodlab/viz/sight.hpp"
-#include "lodlab/viz/space_render.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/draw/sight.hpp"
+#include "lodlab/viz/draw/surface.hpp"
+#include "lodlab/viz/figure/check.hpp"
+#include "lodlab/viz/paint/space/render.hpp"
+#include "lodlab/viz/paint/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"
 

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "lodlab/core/error.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/film/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"
 

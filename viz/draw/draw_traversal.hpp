@@ -1,0 +1,33 @@
+#pragma once
+
+#include "lodlab/viz/draw/draw_scene.hpp"
+
+namespace viz {
+
+/// The traversal of a pair level by level (the paper's figure 2): the nodes tested at each level
+/// thin, those that intersect and go on bold, leaf pairs doubled, until the bodies prove apart or
+/// truly collide. `fronts` as lod::traverse_levels returns them. `levels` empty: all, or the first
+/// five and the last where there are more than six. `proved_apart`: though nodes of the last level
+/// intersect, their hulls or the true shapes do not.
+template <int Dim>
+[[nodiscard]] Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b,
+                               const std::vector<lod::Front>& fronts, std::vector<int> levels = {},
+                               const typename Sight<Dim>::Viewpoint& viewpoint = {},
+                               bool proved_apart = false);
+
+/// One level of it: a step of a lesson.
+template <int Dim>
+[[nodiscard]] Figure traversal_level(const Actor<Dim>& a, const Actor<Dim>& b,
+                                     const std::vector<lod::Front>& fronts, int level,
+                                     const typename Sight<Dim>::Viewpoint& viewpoint = {});
+
+/// The nodes of A (or B) that the tests of a level touched, in order.
+struct TestedNodes {
+    std::vector<int> a;
+    std::vector<int> b;
+};
+template <int Dim>
+[[nodiscard]] TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
+                                       const std::vector<lod::Front>& fronts, int level);
+
+}  // namespace viz

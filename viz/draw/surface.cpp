@@ -1,0 +1,110 @@
+#include "lodlab/viz/draw/surface.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "lodlab/viz/figure/camera.hpp"
+
+namespace viz {
+namespace {
+
+using Vector3 = lod::Vector<3>;
+
+constexpr double smooth_cosine = 0.766;  ///< 40 degrees: faces that turn more meet in a sharp edge
+constexpr int extreme_directions = 7;    ///< steps along each side of a cube of directions
+
+std::size_t index(int i) {
+    return static_cast<std::size_t>(i);
+}
+
+std::vector<Vector3> face_normals(const lod3d::Mesh& mesh) {
+    std::vector<Vector3> normals;
+    normals.reserve(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Vector3 a = mesh.corner(t, 0);
+        normals.push_back((mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a));
+    }
+    return normals;  // twice the area long: large faces weigh more
+}
+
+/// For each corner the mean normal of the faces round its vertex that turn little against its own.
+void find_normals(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Surface& surface) {
+    std::vector<std::vector<int>> round(mesh.vertices.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (const int corner : mesh.triangles[t])
+            round[index(corner)].push_back(static_cast<int>(t));
+    surface.normals.resize(mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const double own = faces[t].norm();
+        for (std::size_t k = 0; k < 3; ++k) {
+            Vector3 sum = Vector3::Zero();
+            for (const int other : round[index(mesh.triangles[t][k])]) {
+                const Vector3& normal = faces[index(other)];
+                if (normal.dot(faces[t]) >= smooth_cosine * own * normal.norm()) sum += normal;
+            }
+            const double length = sum.norm();
+            surface.normals[t][k] = point3(length > 0 ? Vector3(sum / length) : Vector3::UnitY());
+        }
+    }
+}
+
+void find_edges(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Surface& surface) {
+    std::vector<Surface::Edge> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto [low, high] =
+                std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
+            sides.push_back({low, high, static_cast<int>(t), -1, true});
+        }
+    std::sort(sides.begin(), sides.end(), [](const Surface::Edge& a, const Surface::Edge& b) {
+        return std::tie(a.from, a.to, a.left) < std::tie(b.from, b.to, b.left);
+    });
+    for (Surface::Edge side : sides) {
+        if (!surface.edges.empty() && surface.edges.back().right < 0 &&
+            surface.edges.back().from == side.from && surface.edges.back().to == side.to) {
+            Surface::Edge& edge = surface.edges.back();
+            edge.right = side.left;
+            const Vector3& a = faces[index(edge.left)];
+            const Vector3& b = faces[index(edge.right)];
+            edge.sharp = a.dot(b) < smooth_cosine * a.norm() * b.norm();
+        } else {
+            surface.edges.push_back(side);
+        }
+    }
+}
+
+/// The vertices that lie furthest out in directions all over a cube.
+void find_outermost(const lod3d::Mesh& mesh, Surface& surface) {
+    std::set<std::size_t> found;
+    constexpr int steps = extreme_directions;
+    for (int i = 0; i < steps * steps * steps; ++i) {
+        const int x = 2 * (i % steps) - steps + 1;
+        const int y = 2 * (i / steps % steps) - steps + 1;
+        const int z = 2 * (i / steps / steps) - steps + 1;
+        if (std::max({std::abs(x), std::abs(y), std::abs(z)}) != steps - 1) continue;
+        const Vector3 direction(x, y, z);
+        const auto furthest = std::max_element(mesh.vertices.begin(), mesh.vertices.end(),
+                                               [&](const Vector3& a, const Vector3& b) {
+                                                   return a.dot(direction) < b.dot(direction);
+                                               });
+        found.insert(static_cast<std::size_t>(furthest - mesh.vertices.begin()));
+    }
+    for (const std::size_t i : found) surface.outermost.push_back(surface.vertices[i]);
+}
+
+}  // namespace
+
+Surface surface_of(const lod3d::Mesh& mesh) {
+    Surface surface;
+    surface.vertices.reserve(mesh.vertices.size());
+    for (const Vector3& v : mesh.vertices) surface.vertices.push_back(point3(v));
+    surface.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
+    const std::vector<Vector3> faces = face_normals(mesh);
+    find_normals(mesh, faces, surface);
+    find_edges(mesh, faces, surface);
+    find_outermost(mesh, surface);
+    return surface;
+}
+
+}  // namespace viz

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lodlab/viz/figure/figure.hpp"
+#include "lodlab/viz/paint/options.hpp"
+
+namespace viz {
+
+/// Every writer makes a file that is complete or absent, the same bytes for the same input. They
+/// throw lod::Error: input refused for a figure that cannot be drawn (a number that is not finite,
+/// a radius below zero, an empty view), naming the panel and the mark; output failed for an
+/// unwritable folder or a full disk.
+void write_png(const std::filesystem::path& path, const Figure& figure,
+               const WriteOptions& options = {});
+void write_svg(const std::filesystem::path& path, const Figure& figure,
+               const WriteOptions& options = {});
+void write_pdf(const std::filesystem::path& path, const Figure& figure,
+               const WriteOptions& options = {});
+
+/// Picks the format by the ending: png, svg, pdf, json. Any other ending throws lod::Error (usage).
+void write_figure(const std::filesystem::path& path, const Figure& figure,
+                  const WriteOptions& options = {});
+
+/// Whether a path's ending names a still picture (png svg pdf json).
+[[nodiscard]] bool is_figure_path(const std::filesystem::path& path);
+
+/// The names of the versions of the drawing libraries in use, for `lodlab doctor`.
+[[nodiscard]] std::string drawing_libraries();
+
+}  // namespace viz
