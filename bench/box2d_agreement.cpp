@@ -14,9 +14,9 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/random.hpp"
-#include "lodlab/core/time_of_impact.hpp"
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/exact/time_of_impact.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/outline.hpp"
 #include "lodlab/measure/first_impact.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "bench/timing.hpp"
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/box2d_reference.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"

@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "bench/timing.hpp"
-#include "lodlab/core/frame.hpp"
-#include "lodlab/core/random.hpp"
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/frame/frame.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"

@@ -8,8 +8,8 @@
 
 #include "bench/meshes.hpp"
 #include "bench/timing.hpp"
-#include "lodlab/core/random.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod3d/intersect.hpp"
 #include "tests/lod3d/fcl_oracle.hpp"
 #include "tests/lod3d/random_pose.hpp"

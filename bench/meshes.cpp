@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "bench/timing.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/load_mesh.hpp"
 
 namespace {

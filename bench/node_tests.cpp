@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "bench/timing.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 
 namespace {
 

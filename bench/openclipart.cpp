@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/load.hpp"
 #include "lodlab/lod2d/tree_report.hpp"

@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "bench/timing.hpp"
-#include "lodlab/core/response.hpp"
+#include "lodlab/core/response/response.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"
 #include "lodlab/viz/paint/write.hpp"
 

@@ -5,9 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "lodlab/core/ending.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/ending.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/spelling.hpp"

@@ -8,7 +8,7 @@
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/staging.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace cli {
 namespace {

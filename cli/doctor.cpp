@@ -7,7 +7,7 @@
 
 #include "cli/command.hpp"
 #include "cli/output.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/font.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/viz/film/video.hpp"

@@ -7,7 +7,7 @@
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
 #include "cli/staging.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/draw/draw_contacts.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "cli/options.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/scenes/setup.hpp"
 
 namespace cli {

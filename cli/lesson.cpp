@@ -6,7 +6,7 @@
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
 #include "lessons/lessons.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "cli/output.hpp"
 #include "cli/parse.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "lodlab/core/linear.hpp"
+#include "lodlab/core/math/linear.hpp"
 
 namespace cli {
 

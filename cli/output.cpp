@@ -9,7 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace cli {
 

@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "cli/output.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/spelling.hpp"
 

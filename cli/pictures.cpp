@@ -5,8 +5,8 @@
 
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/scenes/spelling.hpp"
 #include "lodlab/viz/film/write.hpp"
 #include "lodlab/viz/paint/write.hpp"

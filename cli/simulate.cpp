@@ -7,7 +7,7 @@
 #include "cli/output.hpp"
 #include "cli/run_pictures.hpp"
 #include "cli/staging.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/scenes/trace.hpp"
 
 namespace cli {

@@ -4,7 +4,7 @@
 
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/trace.hpp"
 

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <lodlab/core/frame.hpp>
+#include <lodlab/core/frame/frame.hpp>
 
 using Vector = lod::Vector<3>;
 

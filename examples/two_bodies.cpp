@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <lodlab/core/frame.hpp>
+#include <lodlab/core/frame/frame.hpp>
 #include <lodlab/lod2d/build_tree.hpp>
 #include <lodlab/lod2d/generators.hpp>
 

@@ -1,7 +1,7 @@
 // Steps two bodies and films them: every frame of the video is a figure made from the bodies.
 #include <vector>
 
-#include <lodlab/core/frame.hpp>
+#include <lodlab/core/frame/frame.hpp>
 #include <lodlab/lod2d/build_tree.hpp>
 #include <lodlab/lod2d/generators.hpp>
 #include <lodlab/viz/draw/scene_view.hpp>

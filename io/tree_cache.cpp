@@ -5,8 +5,8 @@
 #include <optional>
 #include <system_error>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/io/tree_json.hpp"
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/tree/tree.hpp"
 
 namespace io {
 

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <utility>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 
 namespace io {
 namespace {

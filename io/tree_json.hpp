@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/tree/tree.hpp"
 
 namespace io {
 
@@ -22,10 +22,10 @@ namespace io {
 /// its place in the list, from 0. Metres, body frame; the normal is the mean outward unit normal of
 /// the surface that a node stands for. "nodes" and "levels" (nodes of each level) are checked.
 ///
-/// A tree with hulls (core/hull.hpp) has an "entry_level", and every node a "hull" but those below
-/// a "tight" one: its faces by their corners' places; "inner" names the faces within the shape,
-/// "cut" the corners that only a cut made (left out where there are none), "tight" and "round" are
-/// true where they stand.
+/// A tree with hulls (core/tree/hull.hpp) has an "entry_level", and every node a "hull" but those
+/// below a "tight" one: its faces by their corners' places; "inner" names the faces within the
+/// shape, "cut" the corners that only a cut made (left out where there are none), "tight" and
+/// "round" are true where they stand.
 template <int Dim>
 [[nodiscard]] std::string tree_to_json(const lod::SphereTree<Dim>& tree);
 
@@ -36,7 +36,7 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] lod::SphereTree<Dim> tree_from_json(std::string_view text, const std::string& source);
 
-/// Complete or absent (core/output_file.hpp). Throws lod::Error (output failed).
+/// Complete or absent (core/base/output_file.hpp). Throws lod::Error (output failed).
 template <int Dim>
 void save_tree(const std::filesystem::path& path, const lod::SphereTree<Dim>& tree);
 

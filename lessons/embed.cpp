@@ -15,7 +15,7 @@
 
 #include "lessons/markdown.hpp"
 #include "lessons/source.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 extern char** environ;
 
@@ -113,11 +113,11 @@ std::map<std::string, std::string> own_listings(const std::string& folder) {
     return listings;
 }
 
-/// The definition in a file, or in the one file of a folder ("core/") that has it.
+/// The definition in a file, or in the one file of a folder ("core/"), or below it, that has it.
 std::string definition_in(const std::string& place, const std::string& name) {
     if (!place.ends_with("/")) return lessons::find_definition(read(place), name, place);
     std::set<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(place))
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
         if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
             files.insert(entry.path().string());
     for (const std::string& file : files) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lessons/embedded.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lessons {
 namespace {

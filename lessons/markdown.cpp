@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lessons {
 namespace {

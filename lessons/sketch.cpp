@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lessons/source.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lessons {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "lessons/lessons.hpp"
-#include "lodlab/core/body.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/tree/body.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/shape.hpp"

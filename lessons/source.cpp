@@ -4,7 +4,7 @@
 #include <array>
 #include <cctype>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lessons {
 namespace {

@@ -9,7 +9,7 @@
 #include "lessons/lessons.hpp"
 #include "lessons/plain.hpp"
 #include "lessons/viewer.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/paint/write.hpp"
 
 namespace lessons {

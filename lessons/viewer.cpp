@@ -11,7 +11,7 @@
 #include <sstream>
 #include <vector>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 extern char** environ;
 

@@ -9,8 +9,8 @@
 #include <map>
 #include <string>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/body.hpp"
+#include "lodlab/core/tree/body.hpp"
 #include "lodlab/lod2d/convex_parts.hpp"
 #include "lodlab/lod2d/shape.hpp"
 

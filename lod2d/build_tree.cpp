@@ -3,10 +3,10 @@
 #include <array>
 #include <string>
 
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/builder/certify.hpp"
 #include "lodlab/core/builder/grow.hpp"
 #include "lodlab/core/builder/node_hulls.hpp"
-#include "lodlab/core/error.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/medial.hpp"
 #include "lodlab/lod2d/pieces.hpp"

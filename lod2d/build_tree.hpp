@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/tree/tree.hpp"
 #include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {

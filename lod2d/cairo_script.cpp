@@ -1,6 +1,6 @@
 #include "lodlab/lod2d/cairo_script.hpp"
 
-#include "lodlab/core/from_chars.hpp"
+#include "lodlab/core/base/from_chars.hpp"
 #include "lodlab/lod2d/script_reader.hpp"
 
 namespace lod2d {

@@ -5,7 +5,7 @@
 #include <polyclipping/clipper.hpp>
 #include <unordered_map>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/clean_work.hpp"
 #include "lodlab/lod2d/distance.hpp"
 

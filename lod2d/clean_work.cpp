@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/orientation.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/sphere.hpp"
 #include "lodlab/lod2d/convex_hull.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/piece.hpp"

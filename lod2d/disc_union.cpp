@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/sphere.hpp"
 #include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {

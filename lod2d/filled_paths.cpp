@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lod2d {
 namespace {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lod2d {
 namespace {

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/random.hpp"
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

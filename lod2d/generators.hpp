@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "lodlab/core/generator.hpp"
+#include "lodlab/core/base/generator.hpp"
 #include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {

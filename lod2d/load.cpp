@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/font.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/svg.hpp"

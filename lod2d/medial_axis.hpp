@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/sphere.hpp"
 #include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/bit_hash.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/math/bit_hash.hpp"
 #include "lodlab/lod2d/orientation.hpp"
 
 namespace lod2d {

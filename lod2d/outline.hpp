@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "lodlab/core/walk_pairs.hpp"
+#include "lodlab/core/exact/walk_pairs.hpp"
 #include "lodlab/lod2d/distance.hpp"
 
 namespace lod2d {

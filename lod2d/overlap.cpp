@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/orientation.hpp"
 
 namespace lod2d {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lodlab/core/builder/piece.hpp"
-#include "lodlab/core/clip.hpp"
+#include "lodlab/core/math/clip.hpp"
 #include "lodlab/lod2d/convex_hull.hpp"
 
 namespace lod2d {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lodlab/core/builder/piece.hpp"
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/sphere.hpp"
 #include "lodlab/lod2d/convex_parts.hpp"
 
 namespace lod2d {

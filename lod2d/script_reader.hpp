@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/svg_drawing.hpp"
 
 // The insides of read_cairo_script().

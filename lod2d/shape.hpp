@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/box.hpp"
+#include "lodlab/core/math/box.hpp"
 
 namespace lod2d {
 

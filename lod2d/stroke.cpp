@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/lod2d/svg_plain.hpp"
 #include "lodlab/lod2d/svg_regions.hpp"
 #include "lodlab/lod2d/svg_resolve.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/clean_work.hpp"
 #include "lodlab/lod2d/regions.hpp"
 

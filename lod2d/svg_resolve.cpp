@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/cairo_script.hpp"
 #include "lodlab/lod2d/svg_prepare.hpp"
 

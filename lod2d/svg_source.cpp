@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lod2d {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lodlab/core/from_chars.hpp"
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/base/from_chars.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod2d {
 namespace {

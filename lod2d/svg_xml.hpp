@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/svg_text.hpp"
 
 namespace pugi {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lodlab/core/builder/tree_report.hpp"
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/tree/tree.hpp"
 #include "lodlab/lod2d/shape.hpp"
 
 namespace lod2d {

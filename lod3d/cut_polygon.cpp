@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lod3d {
 namespace {

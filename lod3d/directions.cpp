@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod3d {
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod3d {
 namespace {

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "lodlab/core/builder/enclosing_ball.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
 
 namespace lod3d {
 namespace {

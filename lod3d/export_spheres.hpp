@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/tree/tree.hpp"
 #include "lodlab/lod3d/mesh.hpp"
 
 namespace lod3d {

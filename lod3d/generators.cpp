@@ -6,9 +6,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/random.hpp"
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod3d {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/core/generator.hpp"
+#include "lodlab/core/base/generator.hpp"
 #include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/binary_number.hpp"
 #include "lodlab/lod3d/import_scene.hpp"
 #include "lodlab/lod3d/text_words.hpp"

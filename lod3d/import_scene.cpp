@@ -22,7 +22,7 @@
 #include <limits>
 #include <sstream>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lod3d {
 namespace {

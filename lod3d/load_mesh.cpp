@@ -3,8 +3,8 @@
 #include <array>
 #include <fstream>
 
-#include "lodlab/core/ending.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/ending.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/import_scene.hpp"
 #include "lodlab/lod3d/mesh_faults.hpp"
 #include "lodlab/lod3d/text_words.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <tuple>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace lod3d {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lodlab/core/box.hpp"
+#include "lodlab/core/math/box.hpp"
 
 namespace lod3d {
 

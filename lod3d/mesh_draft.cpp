@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/cut_polygon.hpp"
 #include "lodlab/lod3d/mesh_faults.hpp"
 #include "lodlab/lod3d/text_words.hpp"

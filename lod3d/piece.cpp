@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
 #include "lodlab/lod3d/directions.hpp"
 
 namespace lod3d {

@@ -4,9 +4,9 @@
 #include <memory>
 #include <utility>
 
-#include "lodlab/core/builder/convex_cell.hpp"
 #include "lodlab/core/builder/piece.hpp"
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/convex_cell.hpp"
+#include "lodlab/core/math/sphere.hpp"
 #include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {

@@ -4,7 +4,7 @@
 #include <array>
 #include <optional>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/text_words.hpp"
 
 namespace lod3d {

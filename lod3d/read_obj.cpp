@@ -1,6 +1,6 @@
 #include <array>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/mesh_draft.hpp"
 #include "lodlab/lod3d/text_words.hpp"
 

@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/binary_number.hpp"
 #include "lodlab/lod3d/ply_header.hpp"
 #include "lodlab/lod3d/text_words.hpp"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/binary_number.hpp"
 #include "lodlab/lod3d/mesh_draft.hpp"
 #include "lodlab/lod3d/text_words.hpp"

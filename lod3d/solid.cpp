@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/fill.hpp"
 #include "lodlab/lod3d/intersect.hpp"
 #include "lodlab/lod3d/mesh_faults.hpp"

@@ -8,7 +8,7 @@
 
 #include "lodlab/core/builder/grid_tree.hpp"
 #include "lodlab/core/builder/node_hulls.hpp"
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/lod3d/ball_fit.hpp"
 #include "lodlab/lod3d/directions.hpp"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lodlab/core/builder/tree_report.hpp"
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/tree/tree.hpp"
 #include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "lodlab/core/bit_hash.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/math/bit_hash.hpp"
 #include "lodlab/lod3d/intersect.hpp"
 
 namespace lod3d {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "lodlab/core/walk_pairs.hpp"
+#include "lodlab/core/exact/walk_pairs.hpp"
 #include "lodlab/lod3d/solid.hpp"
 
 namespace lod3d {

@@ -4,8 +4,8 @@
 #include <charconv>
 #include <limits>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/from_chars.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/from_chars.hpp"
 
 namespace lod3d {
 namespace {

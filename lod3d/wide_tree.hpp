@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lodlab/core/lanes.hpp"
+#include "lodlab/core/base/lanes.hpp"
 #include "lodlab/lod3d/triangle_tree.hpp"
 
 namespace lod3d {

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/core/exact/time_of_impact.hpp"
 
 namespace measure {
 namespace {

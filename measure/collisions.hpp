@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/body.hpp"
+#include "lodlab/core/tree/body.hpp"
 #include "lodlab/lod2d/box2d_reference.hpp"
 #include "lodlab/scenes/run.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/measure/plane_bodies.hpp"
 
 namespace measure {

@@ -5,7 +5,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/scenes/scene.hpp"
 
 namespace measure {

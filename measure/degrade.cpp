@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/exact_shape.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/exact/exact_shape.hpp"
 #include "lodlab/measure/first_impact.hpp"
 #include "lodlab/measure/free_flight.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "lodlab/measure/ensemble.hpp"
 
 namespace measure {

@@ -2,9 +2,9 @@
 
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/impact.hpp"
-#include "lodlab/core/random.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/response/impact.hpp"
 #include "lodlab/measure/exact_shapes.hpp"
 #include "lodlab/measure/free_flight.hpp"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/body.hpp"
-#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/core/exact/time_of_impact.hpp"
+#include "lodlab/core/tree/body.hpp"
 #include "lodlab/scenes/shapes.hpp"
 
 namespace measure {

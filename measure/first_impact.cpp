@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/time_of_impact.hpp"
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/exact/time_of_impact.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace measure {
 

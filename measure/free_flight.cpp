@@ -4,9 +4,9 @@
 #include <cmath>
 #include <queue>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/exact_shape.hpp"
-#include "lodlab/core/integrate.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/exact/exact_shape.hpp"
+#include "lodlab/core/frame/integrate.hpp"
 
 namespace measure {
 namespace {

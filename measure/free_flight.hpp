@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lodlab/core/posed_tree.hpp"
+#include "lodlab/core/tree/posed_tree.hpp"
 
 namespace measure {
 

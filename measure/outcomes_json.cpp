@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/io/whole_number.hpp"
 #include "lodlab/measure/curves.hpp"
 #include "lodlab/scenes/scene.hpp"

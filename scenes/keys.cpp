@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/scenes/spelling.hpp"
 
 namespace scenes {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "lodlab/core/ending.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/ending.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/import_limits.hpp"
 #include "lodlab/scenes/spelling.hpp"
 

@@ -1,5 +1,5 @@
-#include "lodlab/core/ending.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/ending.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/load.hpp"
 #include "lodlab/lod2d/medial_axis.hpp"

@@ -5,8 +5,8 @@
 #include <charconv>
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 
 namespace scenes {
 namespace {

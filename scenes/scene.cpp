@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/scenes/keys.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/spelling.hpp"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 
 namespace scenes {
 
@@ -79,7 +79,7 @@ struct Scene {
     lod::ContactModel contact_model = lod::ContactModel::hull;
     lod::PointModel point_model = lod::PointModel::radius_ratio;
     lod::Priority priority = lod::Priority::closing_speed;
-    lod::FinestDetail finest;      ///< beyond the leaves
+    lod::FinestDetail finest;  ///< beyond the leaves
     /// Whether fast bodies are swept between frames; nothing: where something follows the leaves.
     std::optional<bool> sweep;
     std::optional<Camera> camera;  ///< nothing: pictures frame all that moves

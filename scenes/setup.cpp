@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/scenes/places.hpp"
 

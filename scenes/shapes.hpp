@@ -7,9 +7,9 @@
 #include <tuple>
 #include <vector>
 
-#include "lodlab/core/body.hpp"
 #include "lodlab/core/builder/tree_report.hpp"
-#include "lodlab/core/solvers.hpp"
+#include "lodlab/core/math/solvers.hpp"
+#include "lodlab/core/tree/body.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/io/tree_cache.hpp"
 #include "lodlab/lod2d/build_tree.hpp"

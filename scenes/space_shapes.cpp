@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "lodlab/core/ending.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/ending.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/load.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/intersect.hpp"

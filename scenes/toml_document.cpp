@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace scenes {
 namespace {

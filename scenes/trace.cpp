@@ -3,11 +3,11 @@
 #include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "lodlab/core/bit_hash.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/exact_shape.hpp"
-#include "lodlab/core/output_file.hpp"
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/exact/exact_shape.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
+#include "lodlab/core/math/bit_hash.hpp"
 #include "lodlab/io/whole_number.hpp"
 
 namespace scenes {

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/frame.hpp"
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/frame/frame.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

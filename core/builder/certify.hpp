@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <vector>
 
-#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/builder/piece.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
+#include "lodlab/core/tree/tree.hpp"
 
 namespace lod {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/builder/cover_search.hpp"
-#include "lodlab/core/builder/enclosing_ball.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
 
 namespace lod {
 

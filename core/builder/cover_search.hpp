@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/lanes.hpp"
-#include "lodlab/core/random.hpp"
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/base/lanes.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/math/sphere.hpp"
 
 namespace lod {
 

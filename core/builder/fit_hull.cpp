@@ -4,8 +4,8 @@
 #include <array>
 #include <limits>
 
-#include "lodlab/core/box.hpp"
-#include "lodlab/core/builder/convex_cell.hpp"
+#include "lodlab/core/math/box.hpp"
+#include "lodlab/core/math/convex_cell.hpp"
 
 namespace lod {
 namespace {

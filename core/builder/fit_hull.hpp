@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "lodlab/core/hull.hpp"
+#include "lodlab/core/tree/hull.hpp"
 
 namespace lod {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/builder/piece.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
+#include "lodlab/core/tree/tree.hpp"
 
 namespace lod {
 

@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "lodlab/core/box.hpp"
 #include "lodlab/core/builder/protrusion.hpp"
-#include "lodlab/core/hull.hpp"
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/math/box.hpp"
+#include "lodlab/core/tree/hull.hpp"
+#include "lodlab/core/tree/tree.hpp"
 
 namespace lod {
 

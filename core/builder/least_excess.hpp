@@ -6,8 +6,8 @@
 #include <limits>
 #include <span>
 
-#include "lodlab/core/builder/enclosing_ball.hpp"
 #include "lodlab/core/builder/protrusion.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
 
 namespace lod {
 

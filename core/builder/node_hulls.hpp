@@ -4,13 +4,13 @@
 #include <array>
 #include <vector>
 
-#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/builder/hollows.hpp"
 #include "lodlab/core/builder/piece.hpp"
-#include "lodlab/core/builder/power_diagram.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
+#include "lodlab/core/math/power_diagram.hpp"
+#include "lodlab/core/tree/tree.hpp"
 
 namespace lod {
 

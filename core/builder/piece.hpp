@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "lodlab/core/half_space.hpp"
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/half_space.hpp"
+#include "lodlab/core/math/sphere.hpp"
 
 namespace lod {
 
@@ -52,7 +52,7 @@ template <int Dim, PieceOf<Dim> Piece>
 
 }  // namespace lod
 
-#include "lodlab/core/builder/power_diagram.hpp"
+#include "lodlab/core/math/power_diagram.hpp"
 
 namespace lod {
 

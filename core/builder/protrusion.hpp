@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/math/sphere.hpp"
 
 namespace lod {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lodlab/core/solvers.hpp"
+#include "lodlab/core/math/solvers.hpp"
 
 namespace lod {
 namespace {

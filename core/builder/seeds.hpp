@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/sphere.hpp"
 
 namespace lod {
 

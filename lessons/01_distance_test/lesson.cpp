@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/sphere.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/overlap.hpp"
 

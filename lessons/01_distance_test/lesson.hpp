@@ -2,7 +2,7 @@
 
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
-#include "lodlab/core/sphere.hpp"
+#include "lodlab/core/math/sphere.hpp"
 
 namespace lessons::distance {
 

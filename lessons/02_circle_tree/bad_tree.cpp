@@ -3,7 +3,7 @@
 
 #include "lessons/02_circle_tree/lesson.hpp"
 #include "lodlab/core/builder/certify.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 
 namespace lessons::tree {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/builder/power_diagram.hpp"
+#include "lodlab/core/math/power_diagram.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
 

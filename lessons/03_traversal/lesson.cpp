@@ -3,7 +3,7 @@
 
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/overlap.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"

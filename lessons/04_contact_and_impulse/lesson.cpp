@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "lodlab/core/frame.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/frame/frame.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/overlap.hpp"
 

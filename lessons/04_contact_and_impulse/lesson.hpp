@@ -2,7 +2,7 @@
 
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 
 namespace lessons::impact {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "lessons/04_contact_and_impulse/lesson.hpp"
-#include "lodlab/core/response.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/response/response.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod2d/generators.hpp"
 
 namespace lessons::impact {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/overlap.hpp"
 #include "lodlab/viz/draw/motion/draw_motion.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/random.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "lessons/05_circles_to_spheres/lesson.hpp"
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod3d/intersect.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lodlab/core/impact.hpp"
+#include "lodlab/core/response/impact.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/sphere_tree.hpp"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "lessons/06_inertia/lesson.hpp"
-#include "lodlab/core/integrate.hpp"
+#include "lodlab/core/frame/integrate.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"
 
 namespace lessons::inertia {

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <vector>
 
-#include <lodlab/core/frame.hpp>
+#include <lodlab/core/frame/frame.hpp>
 #include <lodlab/lod2d/build_tree.hpp>
 #include <lodlab/scenes/setup.hpp>
 #include <lodlab/viz/paint/write.hpp>

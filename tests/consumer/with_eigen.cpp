@@ -3,9 +3,9 @@
 // solvers.
 #include <Eigen/Dense>
 #include <cstdio>
-#include <lodlab/core/eigen.hpp>
-#include <lodlab/core/frame.hpp>
-#include <lodlab/core/state_hash.hpp>
+#include <lodlab/core/frame/frame.hpp>
+#include <lodlab/core/frame/state_hash.hpp>
+#include <lodlab/core/math/eigen.hpp>
 #include <lodlab/lod2d/build_tree.hpp>
 #include <lodlab/lod2d/generators.hpp>
 #include <lodlab/lod3d/generators.hpp>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "tests/random.hpp"
 
 // Bodies, trees and random states that the tests of core share. What is planar stands in the plane

@@ -1,4 +1,4 @@
-#include "lodlab/core/broad_phase.hpp"
+#include "lodlab/core/frame/broad_phase.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"

@@ -1,4 +1,4 @@
-#include "lodlab/core/budget.hpp"
+#include "lodlab/core/tree/budget.hpp"
 
 #include <vector>
 

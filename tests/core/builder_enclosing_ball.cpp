@@ -1,9 +1,9 @@
-#include "lodlab/core/builder/enclosing_ball.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
 
 #include <vector>
 
-#include "lodlab/core/builder/power_diagram.hpp"
 #include "lodlab/core/builder/seeds.hpp"
+#include "lodlab/core/math/power_diagram.hpp"
 #include "tests/catch.hpp"
 #include "tests/random.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "lodlab/core/budget.hpp"
+#include "lodlab/core/tree/budget.hpp"
 
 namespace lodtest {
 

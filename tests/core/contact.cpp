@@ -1,4 +1,4 @@
-#include "lodlab/core/contact.hpp"
+#include "lodlab/core/contact/contact.hpp"
 
 #include <cmath>
 #include <optional>

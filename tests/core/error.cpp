@@ -1,4 +1,4 @@
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 #include "tests/catch.hpp"
 

@@ -2,11 +2,11 @@
 // friction the number of collisions is the first k + 1 digits of pi (Galperin, Playing pool with
 // pi, 2003). A fixed step miscounts; the exact times of impact must not.
 
-#include "lodlab/core/events.hpp"
+#include "lodlab/core/exact/events.hpp"
 
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/exact_bodies.hpp"
 

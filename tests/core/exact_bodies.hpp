@@ -5,8 +5,8 @@
 #include <sstream>
 #include <string>
 
-#include "lodlab/core/ball_union.hpp"
-#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/core/exact/ball_union.hpp"
+#include "lodlab/core/exact/time_of_impact.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/outline.hpp"
 #include "lodlab/lod3d/generators.hpp"

@@ -1,8 +1,8 @@
-#include "lodlab/core/finest.hpp"
+#include "lodlab/core/frame/finest.hpp"
 
 #include <cmath>
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/exact_bodies.hpp"
 

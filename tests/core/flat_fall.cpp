@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/outline.hpp"

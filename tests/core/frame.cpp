@@ -1,6 +1,6 @@
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 #include "tests/core/clock.hpp"

@@ -1,4 +1,4 @@
-#include "lodlab/core/from_chars.hpp"
+#include "lodlab/core/base/from_chars.hpp"
 
 #include <limits>
 #include <string_view>

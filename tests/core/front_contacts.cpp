@@ -1,4 +1,4 @@
-#include "lodlab/core/front_contacts.hpp"
+#include "lodlab/core/contact/front_contacts.hpp"
 
 #include <algorithm>
 #include <set>

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lodlab/core/frame.hpp"
-#include "lodlab/core/random.hpp"
+#include "lodlab/core/base/random.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "tests/catch.hpp"

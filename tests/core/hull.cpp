@@ -1,10 +1,10 @@
-#include "lodlab/core/hull_contact.hpp"
+#include "lodlab/core/contact/hull_contact.hpp"
 
 #include <cmath>
 
-#include "lodlab/core/builder/convex_cell.hpp"
 #include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/builder/hollows.hpp"
+#include "lodlab/core/math/convex_cell.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

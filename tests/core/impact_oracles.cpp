@@ -1,11 +1,11 @@
 // Times of impact of any shapes against oracles that share no code with them: in the plane the
 // exact predicates of lod2d/overlap at many times on the way.
 
-#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/core/exact/time_of_impact.hpp"
 
 #include <cmath>
 
-#include "lodlab/core/impact.hpp"
+#include "lodlab/core/response/impact.hpp"
 #include "lodlab/lod2d/outline.hpp"
 #include "lodlab/lod2d/overlap.hpp"
 #include "tests/core/bodies.hpp"

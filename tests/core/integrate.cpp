@@ -1,9 +1,9 @@
-#include "lodlab/core/integrate.hpp"
+#include "lodlab/core/frame/integrate.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "lodlab/core/eigen.hpp"
+#include "lodlab/core/math/eigen.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

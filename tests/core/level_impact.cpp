@@ -2,11 +2,11 @@
 // the actual objects themselves are even touching". Backtracking at such a level finds a time of
 // contact of bodies that never touch (figure 5).
 
-#include "lodlab/core/level_impact.hpp"
+#include "lodlab/core/exact/level_impact.hpp"
 
 #include <cmath>
 
-#include "lodlab/core/impact.hpp"
+#include "lodlab/core/response/impact.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/exact_bodies.hpp"
 

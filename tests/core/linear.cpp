@@ -1,12 +1,12 @@
-#include "lodlab/core/linear.hpp"
+#include "lodlab/core/math/linear.hpp"
 
 #include <type_traits>
 
-#include "lodlab/core/body.hpp"
-#include "lodlab/core/box.hpp"
-#include "lodlab/core/eigen.hpp"
-#include "lodlab/core/lanes.hpp"
-#include "lodlab/core/solvers.hpp"
+#include "lodlab/core/base/lanes.hpp"
+#include "lodlab/core/math/box.hpp"
+#include "lodlab/core/math/eigen.hpp"
+#include "lodlab/core/math/solvers.hpp"
+#include "lodlab/core/tree/body.hpp"
 #include "tests/catch.hpp"
 #include "tests/random.hpp"
 

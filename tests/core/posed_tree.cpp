@@ -1,6 +1,6 @@
-#include "lodlab/core/posed_tree.hpp"
+#include "lodlab/core/tree/posed_tree.hpp"
 
-#include "lodlab/core/eigen.hpp"
+#include "lodlab/core/math/eigen.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

@@ -1,4 +1,4 @@
-#include "lodlab/core/response.hpp"
+#include "lodlab/core/response/response.hpp"
 
 #include <cmath>
 #include <numeric>

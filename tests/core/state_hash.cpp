@@ -1,4 +1,4 @@
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"

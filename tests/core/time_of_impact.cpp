@@ -1,10 +1,10 @@
-#include "lodlab/core/time_of_impact.hpp"
+#include "lodlab/core/exact/time_of_impact.hpp"
 
 #include <cmath>
 #include <optional>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/integrate.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/frame/integrate.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/exact_bodies.hpp"
 #include "tests/property.hpp"

@@ -1,8 +1,8 @@
-#include "lodlab/core/traversal.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 
 #include <algorithm>
 
-#include "lodlab/core/schedule.hpp"
+#include "lodlab/core/frame/schedule.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 #include "tests/property.hpp"

@@ -1,6 +1,6 @@
-#include "lodlab/core/tree.hpp"
+#include "lodlab/core/tree/tree.hpp"
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

@@ -1,4 +1,4 @@
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 #include <cmath>
 #include <limits>

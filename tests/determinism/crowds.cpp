@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "tests/determinism/report.hpp"
 
 namespace {

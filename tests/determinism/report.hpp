@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 
 /// One hash a name: of the bits of every body at the end of a run, of a tree, or of a text.
 class Report {

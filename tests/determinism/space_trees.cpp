@@ -1,6 +1,6 @@
 // The trees of the builders of space, over generated solids and over meshes from files.
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/io/tree_json.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/sphere_tree.hpp"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 /// What a reader promises of any bytes: a result, or an error whose message is one line.
 template <class Read>

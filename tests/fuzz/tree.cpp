@@ -1,6 +1,6 @@
 // Trees in files, and what is asked of a tree that was read.
-#include "lodlab/core/state_hash.hpp"
-#include "lodlab/core/sweep.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
+#include "lodlab/core/frame/sweep.hpp"
 #include "lodlab/io/tree_json.hpp"
 #include "tests/fuzz/fuzz.hpp"
 

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <vector>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/io/tree_json.hpp"
 #include "tests/catch.hpp"

@@ -3,10 +3,10 @@
 #include <bit>
 #include <cstdlib>
 
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/core/builder/fit_hull.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/random.hpp"
 

@@ -4,7 +4,7 @@
 
 #include "lessons/lessons.hpp"
 #include "lessons/page.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/lessons/scratch.hpp"
 

@@ -4,8 +4,8 @@
 #include <regex>
 
 #include "lessons/source.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/viz/figure/check.hpp"
 #include "tests/catch.hpp"
 #include "tests/sanitized.hpp"

@@ -4,7 +4,7 @@
 #include "lessons/plain.hpp"
 #include "lessons/sketch.hpp"
 #include "lessons/source.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 
 using namespace lessons;

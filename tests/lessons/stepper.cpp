@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "lessons/lessons.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/lessons/scratch.hpp"
 

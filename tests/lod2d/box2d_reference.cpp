@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "tests/catch.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/orientation.hpp"
 #include "tests/lod2d/random_shape.hpp"

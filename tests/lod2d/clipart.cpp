@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/clean_work.hpp"
 #include "lodlab/lod2d/svg.hpp"
 #include "tests/catch.hpp"

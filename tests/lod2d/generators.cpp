@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/font.hpp"
 #include "tests/catch.hpp"

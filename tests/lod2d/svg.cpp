@@ -4,7 +4,7 @@
 #include <fstream>
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "tests/catch.hpp"
 

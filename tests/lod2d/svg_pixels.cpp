@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/svg.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 using namespace lod2d;
 using namespace lod2d::svg_cases;

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/load_mesh.hpp"
 #include "tests/catch.hpp"

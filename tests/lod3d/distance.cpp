@@ -1,6 +1,6 @@
 #include "lodlab/lod3d/distance.hpp"
 
-#include "lodlab/core/eigen.hpp"
+#include "lodlab/core/math/eigen.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"

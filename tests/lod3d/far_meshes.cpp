@@ -2,7 +2,7 @@
 #include <cmath>
 #include <iomanip>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/export_spheres.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/load_mesh.hpp"

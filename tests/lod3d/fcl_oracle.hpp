@@ -8,7 +8,7 @@
 
 #include <memory>
 
-#include "lodlab/core/eigen.hpp"
+#include "lodlab/core/math/eigen.hpp"
 #include "lodlab/lod3d/mesh.hpp"
 
 namespace lodtest {

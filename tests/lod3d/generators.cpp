@@ -1,6 +1,6 @@
 #include "lodlab/lod3d/generators.hpp"
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod3d;

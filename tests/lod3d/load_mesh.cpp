@@ -1,6 +1,6 @@
 #include "lodlab/lod3d/load_mesh.hpp"
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
@@ -65,7 +65,8 @@ TEST_CASE("files that are none are refused in one line", "[load]") {
     const Folder folder;
     CHECK_THAT(refusal(folder.path() / "none.obj", refused), lodtest::contains("no such file"));
     CHECK_THAT(refusal(folder.path(), refused), lodtest::contains("no regular file"));
-    CHECK_THAT(refusal(folder.write("a.txt", "hello"), refused), lodtest::contains("obj, ply, stl"));
+    CHECK_THAT(refusal(folder.write("a.txt", "hello"), refused),
+               lodtest::contains("obj, ply, stl"));
     for (const char* ending : {"obj", "ply", "stl", "off", "3ds", "gltf", "glb"}) {
         const std::string name = std::string("file.") + ending;
         CHECK_THAT(refusal(folder.write(name, ""), refused), lodtest::contains("is empty"));

@@ -1,7 +1,7 @@
 // What programs write into mesh files: a box of 2 x 3 x 4 in many ways, and what refuses it.
 #include <functional>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/load_mesh.hpp"
 #include "lodlab/lod3d/solid.hpp"
 #include "tests/catch.hpp"

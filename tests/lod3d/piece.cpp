@@ -1,7 +1,7 @@
 #include "lodlab/lod3d/piece.hpp"
 
-#include "lodlab/core/builder/enclosing_ball.hpp"
 #include "lodlab/core/builder/piece.hpp"
+#include "lodlab/core/math/enclosing_ball.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"

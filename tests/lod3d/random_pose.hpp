@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/core/random.hpp"
+#include "lodlab/core/base/random.hpp"
 #include "lodlab/lod3d/intersect.hpp"
 
 /// A uniform random direction.

@@ -1,7 +1,7 @@
 // Each reader by itself, on bytes in memory.
 #include <limits>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/load_mesh.hpp"
 #include "lodlab/lod3d/text_words.hpp"
 #include "tests/catch.hpp"

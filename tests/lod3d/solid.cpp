@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "tests/catch.hpp"
 

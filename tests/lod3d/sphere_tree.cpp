@@ -1,6 +1,6 @@
 #include "lodlab/lod3d/sphere_tree.hpp"
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/piece.hpp"
 #include "tests/catch.hpp"

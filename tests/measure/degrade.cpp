@@ -1,6 +1,6 @@
 #include "lodlab/measure/degrade.hpp"
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/measure/curves.hpp"
 #include "lodlab/measure/free_flight.hpp"
 #include "tests/catch.hpp"

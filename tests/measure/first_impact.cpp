@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod2d/outline.hpp"

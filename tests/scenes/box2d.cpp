@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "lodlab/core/finest.hpp"
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/finest.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/box2d_reference.hpp"
 #include "lodlab/lod2d/overlap.hpp"
 #include "lodlab/lod2d/tree_report.hpp"

@@ -1,6 +1,6 @@
 // Trees that were built before are found in the cache by the version of the builders.
 
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 #include "lodlab/scenes/shapes.hpp"
 #include "lodlab/scenes/trace.hpp"
 #include "tests/catch.hpp"

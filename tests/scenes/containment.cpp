@@ -1,6 +1,6 @@
 // Nobody leaves a closed container and nobody passes a wall, at any level and budget.
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/build_tree.hpp"
 #include "lodlab/lod2d/generators.hpp"
 #include "lodlab/lod3d/generators.hpp"

@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "tests/catch.hpp"
 

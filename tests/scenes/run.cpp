@@ -1,7 +1,7 @@
 #include "lodlab/scenes/run.hpp"
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/state_hash.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/frame/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/worlds.hpp"
 

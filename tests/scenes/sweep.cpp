@@ -1,10 +1,10 @@
 // Fast bodies pass through nothing where they are swept.
-#include "lodlab/core/sweep.hpp"
+#include "lodlab/core/frame/sweep.hpp"
 
 #include <array>
 
-#include "lodlab/core/frame.hpp"
-#include "lodlab/core/integrate.hpp"
+#include "lodlab/core/frame/frame.hpp"
+#include "lodlab/core/frame/integrate.hpp"
 #include "lodlab/scenes/run.hpp"
 #include "lodlab/scenes/shapes.hpp"
 #include "tests/catch.hpp"

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "lodlab/core/ball_union.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/exact/ball_union.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/worlds.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 
 /// A ball of radius 1 at rest, density such that its mass is 1 kg: with a tree of four leaves, so
 /// that there is something to refine.

@@ -15,7 +15,14 @@ LIBRARIES = ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lesson
 # Includes run one way: a room may include itself and these, with all that is in them. A folder without
 # a line of its own is part of the room around it.
 MAY_INCLUDE = {
-    "core": [],
+    "core/base": [],
+    "core/math": ["core/base"],
+    "core/tree": ["core/base", "core/math"],
+    "core/builder": ["core/base", "core/math", "core/tree"],
+    "core/contact": ["core/base", "core/math", "core/tree"],
+    "core/response": ["core/base", "core/math", "core/tree", "core/contact"],
+    "core/exact": ["core/base", "core/math", "core/tree", "core/contact", "core/response"],
+    "core/frame": ["core/base", "core/math", "core/tree", "core/contact", "core/response", "core/exact"],
     "io": ["core"],
     "lod2d": ["core", "io"],
     "lod3d": ["core", "io"],
@@ -47,9 +54,9 @@ ONE_SOURCE = {
 ALONE = "viz/figure/figure"
 
 # Takes vectors to Eigen's and back, for programs and tests; no source of the libraries includes it.
-EIGEN_BORDER = "core/eigen.hpp"
+EIGEN_BORDER = "core/math/eigen.hpp"
 
-# The C library rounds these as it likes; core/trigonometry.hpp has what gives the same bits everywhere.
+# The C library rounds these as it likes; core/math/trigonometry.hpp has what gives the same bits everywhere.
 ROUNDED_FREELY = re.compile(
     r"\bstd::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|log(2|10|1p)?|pow|hypot|cbrt|erf|[lt]gamma)\s*\("
 )
@@ -62,7 +69,7 @@ TESTS_DIM = re.compile(
     r"\bDim\b\s*([=!]=|[<>]=?\s*\d|[%?])|\b\d\s*([=!]=|[<>]=?)\s*Dim\b"
     r"|template\s*<\s*>[^;{]*<\s*[23]\s*>"
 )
-MAY_TEST_DIM = "core/dimension.hpp"
+MAY_TEST_DIM = "core/math/dimension.hpp"
 
 # What the plane and space call by two names, in one neutral word each.
 NEUTRAL = {
@@ -219,7 +226,7 @@ def check_code(name, text, breaches):
     if folder in DECIDE_RESULTS:
         for number, line in enumerate(code.splitlines(), 1):
             if ROUNDED_FREELY.search(line):
-                breaches.append(f"{name}:{number}: a function of the C library; take core/trigonometry.hpp's")
+                breaches.append(f"{name}:{number}: a function of the C library; take core/math/trigonometry.hpp's")
     for number, line in enumerate(text.splitlines(), 1):
         if CUT_NAME.search(line):
             breaches.append(f"{name}:{number}: a test's name with a semicolon; ctest cuts it there and runs nothing")

@@ -18,10 +18,10 @@ struct Excess {
 """
 
 HOUSE = {
-    "core/dimension.hpp": "#pragma once\ntemplate <int Dim> constexpr bool plane = Dim == 2;\n",
-    "core/body.hpp": '#include "core/dimension.hpp"\n// Dim == 2 in a comment\n',
-    "core/ball.cpp": "template <int Dim> int points() { return Dim + 1; }\n",
-    "lod2d/shape.hpp": '#include "core/body.hpp"\n#include <nlohmann/json_fwd.hpp>\n',
+    "core/math/dimension.hpp": "#pragma once\ntemplate <int Dim> constexpr bool plane = Dim == 2;\n",
+    "core/tree/body.hpp": '#include "core/math/dimension.hpp"\n// Dim == 2 in a comment\n',
+    "core/tree/ball.cpp": "template <int Dim> int points() { return Dim + 1; }\n",
+    "lod2d/shape.hpp": '#include "core/tree/body.hpp"\n#include <nlohmann/json_fwd.hpp>\n',
     "lod2d/measure.cpp": "double extent(const Polygon& polygon) { return 1; }\n" + EXCESS.replace("N", "2"),
     "lod3d/measure.cpp": "double extent(const Mesh& mesh, int axis) { return 1; }\n"
     "struct Hull { double least(const Point& p) const { return 2; } };\n",
@@ -34,12 +34,13 @@ HOUSE = {
     "viz/paint/canvas.hpp": '#include "viz/figure/figure.hpp"\n',
     "cli/main.cpp": '#include <CLI/CLI.hpp>\n#include "viz/figure/figure.hpp"\n',
     "tests/video.cpp": "#include <libavformat/avformat.h>\n",
-    "core/long.cpp": "void f() {\n" + "    g();\n" * 58 + "}\nstruct S {\n" + "int i;\n" * 300 + "};\n",
+    "core/base/long.cpp": "void f() {\n" + "    g();\n" * 58 + "}\nstruct S {\n" + "int i;\n" * 300 + "};\n",
 }
 
 BREACHES = {
-    "a lower folder includes a higher one": ("core/a.cpp", '#include "viz/figure/figure.hpp"\n'),
+    "a lower folder includes a higher one": ("core/tree/a.cpp", '#include "viz/figure/figure.hpp"\n'),
     "the plane includes space": ("lod2d/a.cpp", '#include "lod3d/mesh.hpp"\n'),
+    "a room of core includes one above": ("core/math/a.hpp", '#include "core/tree/body.hpp"\n'),
     "drawing includes painting": ("viz/draw/a.cpp", '#include "viz/paint/canvas.hpp"\n'),
     "painting includes drawing": ("viz/paint/space/a.cpp", '#include "viz/draw/tree.hpp"\n'),
     "a room includes one that stands on it": ("viz/draw/a.cpp", '#include "viz/draw/motion/run.hpp"\n'),
@@ -47,33 +48,33 @@ BREACHES = {
     "pictures include scenes": ("viz/draw/a.cpp", '#include "scenes/scene.hpp"\n'),
     "a library includes the tests": ("scenes/a.cpp", '#include "tests/catch.hpp"\n'),
     "an include without its folder": ("viz/draw/a.cpp", '#include "tree.hpp"\n'),
-    "figure includes something of ours": ("viz/figure/figure.hpp", '#include "core/body.hpp"\n'),
-    "Dim is compared": ("core/a.hpp", "template <int Dim> int f() { return Dim == 2 ? 1 : 3; }\n"),
-    "Dim is compared from the left": ("core/a.hpp", "static_assert(2 != Dim);\n"),
-    "a specialisation for one dimension": ("core/a.cpp", "template <> void f<2>(int) {}\n"),
+    "figure includes something of ours": ("viz/figure/figure.hpp", '#include "core/tree/body.hpp"\n'),
+    "Dim is compared": ("core/tree/a.hpp", "template <int Dim> int f() { return Dim == 2 ? 1 : 3; }\n"),
+    "Dim is compared from the left": ("core/tree/a.hpp", "static_assert(2 != Dim);\n"),
+    "a specialisation for one dimension": ("core/tree/a.cpp", "template <> void f<2>(int) {}\n"),
     "a second file for Box2D": ("cli/a.cpp", "#include <box2d/b2_body.h>\n"),
     "a function of the C library": ("measure/a.cpp", "double f(double x) { return std::atan2(x, 2); }\n"),
-    "Eigen in a header": ("core/a.hpp", "#include <Eigen/Core>\n"),
-    "a library crosses the border to Eigen": ("lod3d/a.cpp", '#include "core/eigen.hpp"\n'),
+    "Eigen in a header": ("core/tree/a.hpp", "#include <Eigen/Core>\n"),
+    "a library crosses the border to Eigen": ("lod3d/a.cpp", '#include "core/math/eigen.hpp"\n'),
     "Cairo in a header": ("viz/paint/a.hpp", "#include <cairo/cairo.h>\n"),
     "JSON in a header": ("lod2d/a.hpp", "#include <nlohmann/json.hpp>\n"),
     "a test that ctest would not find": ("tests/a.cpp", 'TEST_CASE("one; two") {}\n'),
-    "a long file": ("core/a.cpp", "int i;\n" * 401),
-    "a long function": ("core/a.cpp", "int f() {\n" + "    g();\n" * 59 + "}\n"),
-    "a long method": ("core/a.cpp", "class A {\n  public:\n    int f(int a,\n   int b) const {\n" + "    g();\n" * 59 + "}\n};\n"),
+    "a long file": ("core/tree/a.cpp", "int i;\n" * 401),
+    "a long function": ("core/tree/a.cpp", "int f() {\n" + "    g();\n" * 59 + "}\n"),
+    "a long method": ("core/tree/a.cpp", "class A {\n  public:\n    int f(int a,\n   int b) const {\n" + "    g();\n" * 59 + "}\n};\n"),
     "a function of the plane again in space": (
         "lod3d/a.cpp",
         "[[nodiscard]] double extent(const lod3d::Mesh& mesh) {\n    return 2;\n}\n",
     ),
     "a member of the plane again in space": ("lod3d/a.cpp", EXCESS.replace("N", "3")),
-    "a circle": ("core/body.hpp", '#include "core/circle.hpp"\n'),
+    "a circle": ("core/tree/body.hpp", '#include "core/tree/circle.hpp"\n'),
 }
 
 
 class Rules(unittest.TestCase):
     def breaches(self, planted):
         with tempfile.TemporaryDirectory() as folder:
-            files = HOUSE | {"core/circle.hpp": '#include "core/body.hpp"\n'} | planted
+            files = HOUSE | {"core/tree/circle.hpp": '#include "core/tree/body.hpp"\n'} | planted
             for name, text in files.items():
                 path = pathlib.Path(folder, name)
                 path.parent.mkdir(parents=True, exist_ok=True)

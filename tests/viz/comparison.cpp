@@ -1,6 +1,6 @@
 #include "lodlab/viz/draw/motion/draw_comparison.hpp"
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/figure/check.hpp"
 #include "lodlab/viz/figure/number_text.hpp"
 #include "tests/catch.hpp"

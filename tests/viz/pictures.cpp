@@ -3,7 +3,7 @@
 #include <limits>
 #include <sstream>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/figure/json.hpp"
 #include "lodlab/viz/paint/document.hpp"
 #include "lodlab/viz/paint/paint.hpp"

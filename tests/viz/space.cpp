@@ -2,7 +2,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/viz/draw/sight.hpp"
 #include "lodlab/viz/draw/surface.hpp"

@@ -1,4 +1,4 @@
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/generators.hpp"
 #include "lodlab/lod3d/sphere_tree.hpp"
 #include "lodlab/viz/draw/draw_contacts.hpp"

@@ -2,7 +2,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/film/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/core/contact.hpp"
+#include "lodlab/core/contact/contact.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace viz {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
 #include "lodlab/viz/figure/number_text.hpp"
 

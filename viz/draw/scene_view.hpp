@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/frame.hpp"
+#include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/shape.hpp"
 #include "lodlab/lod3d/solid.hpp"
 #include "lodlab/viz/draw/sight.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "lodlab/core/exact_shape.hpp"
+#include "lodlab/core/exact/exact_shape.hpp"
 #include "lodlab/lod2d/distance.hpp"
 #include "lodlab/lod2d/overlap.hpp"
 #include "lodlab/viz/figure/camera.hpp"

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "lodlab/core/body.hpp"
+#include "lodlab/core/tree/body.hpp"
 #include "lodlab/viz/figure/camera.hpp"
 
 namespace viz {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace viz {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/core/dimension.hpp"
+#include "lodlab/core/math/dimension.hpp"
 #include "lodlab/viz/figure/figure.hpp"
 
 // Cameras of pictures of space. World frame, metres, y up.

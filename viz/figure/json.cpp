@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/viz/figure/check.hpp"
 #include "lodlab/viz/figure/json.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 
 namespace viz {
 namespace {

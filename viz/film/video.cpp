@@ -18,9 +18,9 @@ extern "C" {
 #include <memory>
 #include <type_traits>
 
-#include "lodlab/core/ending.hpp"
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/output_file.hpp"
+#include "lodlab/core/base/ending.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/viz/film/film.hpp"
 #include "lodlab/viz/film/gif_palette.hpp"
 

@@ -11,7 +11,7 @@
 #include <new>
 #include <numbers>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/paint/canvas.hpp"
 #include "lodlab/viz/paint/document.hpp"
 #include "lodlab/viz/paint/write.hpp"

@@ -1,7 +1,7 @@
 #include "lodlab/viz/paint/write.hpp"
 
-#include "lodlab/core/ending.hpp"
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/ending.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/figure/json.hpp"
 
 namespace viz {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/core/level_impact.hpp"
+#include "lodlab/core/exact/level_impact.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace viz {

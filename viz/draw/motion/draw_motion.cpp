@@ -6,8 +6,8 @@
 #include <memory>
 #include <set>
 
-#include "lodlab/core/error.hpp"
-#include "lodlab/core/trigonometry.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/viz/figure/number_text.hpp"
 
 namespace viz {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <memory>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/draw/motion/draw_motion.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"
 #include "lodlab/viz/figure/number_text.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/error.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/figure/number_text.hpp"
 
 namespace viz {

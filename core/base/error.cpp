@@ -1,0 +1,34 @@
+#include "lodlab/core/base/error.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace lod {
+
+std::atomic<int> stop_signal{0};
+
+namespace {
+
+std::string without_controls(std::string line) {
+    const auto is_control = [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 0x20 || byte == 0x7f;
+    };
+    std::ranges::replace_if(line, is_control, ' ');
+    return line;
+}
+
+}  // namespace
+
+Error::Error(ErrorKind kind, std::string line)
+    : std::runtime_error(without_controls(std::move(line))), kind_(kind) {}
+
+void refuse_input(const std::string& name, const std::string& why) {
+    throw Error(ErrorKind::input_refused, name + ": " + why);
+}
+
+void check_interrupted() {
+    if (const int signal = stop_signal.load(std::memory_order_relaxed)) throw Interrupted(signal);
+}
+
+}  // namespace lod

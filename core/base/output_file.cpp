@@ -1,0 +1,291 @@
+#include "lodlab/core/base/output_file.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <sys/stat.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+#if defined(_WIN32)
+#include <io.h>
+#else
+#include <sys/file.h>
+
+#include <csignal>
+#endif
+
+#include "lodlab/core/base/error.hpp"
+
+namespace lod {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int most_names = 100;
+constexpr int most_links = 40;             // that stand for one file, as the system has it
+constexpr std::size_t longest_name = 255;  // of a file, in bytes, as the system has it
+constexpr std::string_view part_mark = ".lodlab-part";
+
+std::string mend(int error_number) {
+    switch (error_number) {
+        case ENOSPC:
+#if defined(EDQUOT)
+        case EDQUOT:
+#endif
+            return "free some space or choose another disk";
+        case EACCES:
+        case EPERM:
+        case EROFS:
+            return "choose a folder that you may write to";
+        case ENAMETOOLONG:
+            return "choose a shorter name";
+        case ELOOP:
+            return "remove that link, or choose another name";
+        case EFBIG:
+            return "raise the system's limit on the size of files (ulimit -f)";
+        case ENOENT:
+        case ENOTDIR:
+            return "make the folder first, or choose another";
+        default:
+            return "choose another place";
+    }
+}
+
+#if defined(_WIN32)
+int open_new(const fs::path& path) {
+    return ::_wopen(path.c_str(), _O_RDWR | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT,
+                    _S_IREAD | _S_IWRITE);
+}
+
+std::ptrdiff_t write_at(int descriptor, const char* bytes, std::size_t count,
+                        std::size_t position) {
+    constexpr std::size_t most_bytes = 1u << 30;
+    if (::_lseeki64(descriptor, static_cast<long long>(position), SEEK_SET) < 0) return -1;
+    return ::_write(descriptor, bytes, static_cast<unsigned>(std::min(count, most_bytes)));
+}
+
+int flush(int descriptor) {
+    return ::_commit(descriptor);
+}
+
+void hold(int) {}
+bool is_held(const fs::path&) {
+    return true;  // nobody knows
+}
+void keep_mode(const fs::path&, int) {}
+#else
+int open_new(const fs::path& path) {
+    return ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+std::ptrdiff_t write_at(int descriptor, const char* bytes, std::size_t count,
+                        std::size_t position) {
+    return ::pwrite(descriptor, bytes, count, static_cast<off_t>(position));
+}
+
+int flush(int descriptor) {
+    return ::fsync(descriptor);
+}
+
+/// Until the descriptor is closed, at the latest by the end of the process.
+void hold(int descriptor) {
+    ::flock(descriptor, LOCK_EX | LOCK_NB);
+}
+
+/// Whether some process, perhaps of another machine, still writes this part.
+bool is_held(const fs::path& part) {
+    const int descriptor = ::open(part.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    if (descriptor < 0) return true;
+    const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
+    ::close(descriptor);
+    return held;
+}
+
+/// Gives the new file who may do what with the old one, as far as the system lets us.
+void keep_mode(const fs::path& old, int descriptor) {
+    struct stat status {};
+    if (::stat(old.c_str(), &status) != 0) return;
+    static_cast<void>(::fchown(descriptor, status.st_uid, status.st_gid) == 0);
+    static_cast<void>(::fchmod(descriptor, status.st_mode & 0777));
+}
+#endif
+
+void remove_quietly(const fs::path& path) {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+}
+
+/// The number of the process that made a part, -1 where the name is not one of a part.
+long process_of(const std::string& name) {
+    const std::size_t mark = name.rfind(part_mark);
+    if (mark == std::string::npos) return -1;
+    const std::string rest = name.substr(mark + part_mark.size());
+    const std::size_t dash = rest.find('-');
+    const auto digits = [](std::string_view text) {
+        return !text.empty() && text.size() < 10 &&
+               text.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    if (dash == std::string::npos || !digits(std::string_view(rest).substr(0, dash)) ||
+        !digits(std::string_view(rest).substr(dash + 1)))
+        return -1;
+    return std::stol(rest.substr(0, dash));
+}
+
+bool is_alive(long process) {
+#if defined(_WIN32)
+    return process >= 0;
+#else
+    return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
+#endif
+}
+
+/// Removes the parts that processes left in a folder which ended without a chance to do so.
+void sweep(const fs::path& folder) {
+    std::error_code ignored;
+    std::vector<fs::path> old;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+        const long process = process_of(entry.path().filename().string());
+        if (process > 0 && !is_alive(process) && entry.is_regular_file(ignored) &&
+            !entry.is_symlink(ignored))
+            old.push_back(entry.path());
+    }
+    for (const fs::path& part : old)
+        if (!is_held(part)) remove_quietly(part);
+}
+
+/// Where links from `path` lead, whether or not there is something. Sets `error` where they go on
+/// for ever, or a name is not to be had.
+fs::path followed(fs::path path, std::error_code& error) {
+    for (int links = 0; links <= most_links; ++links) {
+        const fs::file_status status = fs::symlink_status(path, error);
+        if (status.type() == fs::file_type::not_found) error.clear();
+        if (error || !fs::is_symlink(status)) return path;
+        const fs::path target = fs::read_symlink(path, error);
+        path = path.parent_path() / target;
+    }
+    error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
+    return path;
+}
+
+/// The name of a part: of the file's own name as much as a name may hold.
+fs::path part_of(const fs::path& path, int attempt) {
+    const std::string mark =
+        std::string(part_mark) + std::to_string(::getpid()) + "-" + std::to_string(attempt);
+    const std::string name = path.filename().string();
+    return path.parent_path() / (name.substr(0, longest_name - mark.size()) + mark);
+}
+
+bool is_read_only(const fs::path& path, fs::perms mode) {
+    constexpr fs::perms any =
+        fs::perms::owner_write | fs::perms::group_write | fs::perms::others_write;
+    return (mode & any) == fs::perms::none || ::access(path.string().c_str(), W_OK) != 0;
+}
+
+}  // namespace
+
+OutputFile::OutputFile(fs::path final_path) : named_(std::move(final_path)) {
+    std::error_code error;
+    final_ = followed(named_, error);
+    if (error) fail(error.default_error_condition().value());
+    const fs::file_status status = fs::status(final_, error);
+    if (fs::is_directory(status)) fail(EISDIR);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        refuse("it is no regular file; name a new file");
+    if (fs::exists(status) && is_read_only(final_, status.permissions()))
+        refuse("it is read-only; make it writable (chmod u+w), or choose another name");
+    sweep(final_.has_parent_path() ? final_.parent_path() : ".");
+    for (int attempt = 0; attempt < most_names && descriptor_ < 0; ++attempt) {
+        temporary_ = part_of(final_, attempt);
+        descriptor_ = open_new(temporary_);
+        if (descriptor_ < 0 && errno != EEXIST) fail(errno);
+    }
+    if (descriptor_ < 0) fail(EEXIST);
+    hold(descriptor_);
+    keep_mode(final_, descriptor_);
+}
+
+OutputFile::~OutputFile() {
+    if (descriptor_ < 0) return;
+    ::close(descriptor_);
+    remove_quietly(temporary_);
+}
+
+void OutputFile::write(const void* bytes, std::size_t count) {
+    const char* next = static_cast<const char*>(bytes);
+    while (count > 0) {
+        const std::ptrdiff_t written = write_at(descriptor_, next, count, position_);
+        if (written < 0 && errno == EINTR) continue;
+        if (written <= 0) fail(written < 0 ? errno : ENOSPC);
+        next += written;
+        count -= static_cast<std::size_t>(written);
+        position_ += static_cast<std::size_t>(written);
+        if (position_ > size_) size_ = position_;
+    }
+}
+
+void OutputFile::seek(std::size_t position) {
+    position_ = position;
+}
+
+void OutputFile::commit() {
+    // A pipe or a device cannot be synchronised; a full disk says so here at the latest.
+    if (flush(descriptor_) != 0 && errno != EINVAL && errno != EROFS) fail(errno);
+    if (::close(descriptor_) != 0) {
+        descriptor_ = -1;
+        const int why = errno;
+        remove_quietly(temporary_);
+        fail(why);
+    }
+    descriptor_ = -1;
+    std::error_code error;
+    fs::rename(temporary_, final_, error);
+    if (error) {
+        remove_quietly(temporary_);
+        fail(error.default_error_condition().value());
+    }
+}
+
+void OutputFile::refuse(const std::string& why) const {
+    throw Error(ErrorKind::output_failed, "cannot write " + named_.string() + ": " + why);
+}
+
+void OutputFile::fail(int error_number) const {
+    refuse(std::string(std::strerror(error_number)) + "; " + mend(error_number));
+}
+
+void write_text_file(const fs::path& path, std::string_view text) {
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+}
+
+std::string read_text_file(const fs::path& path, std::size_t most_bytes) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    const std::uintmax_t bytes = is_regular_file(status) ? file_size(path, error) : 0;
+    if (error)
+        throw Error(ErrorKind::input_refused,
+                    "cannot read " + path.string() + ": " + error.message() + "; check the name");
+    if (!is_regular_file(status))
+        throw Error(ErrorKind::input_refused,
+                    "cannot read " + path.string() + ": not a regular file; name a file");
+    if (bytes > most_bytes)
+        throw Error(ErrorKind::limit_exceeded, "cannot read " + path.string() + ": " +
+                                                   std::to_string(bytes) + " bytes, the limit is " +
+                                                   std::to_string(most_bytes) +
+                                                   "; simplify the file or raise the limit");
+    std::ifstream in(path, std::ios::binary);
+    std::string text(bytes, '\0');
+    if (!in.read(text.data(), static_cast<std::streamsize>(bytes)))
+        throw Error(ErrorKind::input_refused, "cannot read " + path.string() + ": " +
+                                                  std::strerror(errno) + "; check its permissions");
+    return text;
+}
+
+}  // namespace lod

@@ -1,7 +1,0 @@
-#include "lodlab/core/bits.hpp"
-
-namespace lod::layout {
-
-const char LOD_LAYOUT = 0;
-
-}  // namespace lod::layout

@@ -1,0 +1,237 @@
+#include "lodlab/core/contact/front_contacts.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "lodlab/core/base/refill.hpp"
+
+namespace lod {
+namespace {
+
+std::size_t at(std::int32_t index) {
+    return static_cast<std::size_t>(index);
+}
+
+/// The contact of two nodes, each with the mean normal of its side of their patch.
+template <int Dim, class Side>
+std::optional<Contact<Dim>> patch_contact(const Sphere<Dim>& a, const Side& side_a,
+                                          const Sphere<Dim>& b, const Side& side_b,
+                                          PointModel point_model, const Vector<Dim>& fallback) {
+    const auto mean = [](const Side& side) -> Vector<Dim> {
+        return side.nodes > 0 ? Vector<Dim>(side.normal / side.nodes) : side.normal;
+    };
+    return model_surface_contact<Dim>({a, mean(side_a)}, {b, mean(side_b)}, point_model, fallback);
+}
+
+/// The contact of a node's ball and a half-space.
+template <int Dim>
+std::optional<Contact<Dim>> border_contact(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                           const NodePair& nodes, PointModel point_model) {
+    return a.is_half_space()
+               ? model_border_contact(b.sphere(nodes.b), a.half_space(), true, point_model)
+               : model_border_contact(a.sphere(nodes.a), b.half_space(), false, point_model);
+}
+
+/// Two nodes whose balls fit better than their hulls touch as balls do.
+template <int Dim>
+std::optional<Manifold<Dim>> meet_balls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                        const NodePair& nodes, const PairMotion<Dim>& motion) {
+    const auto contact =
+        a.is_half_space() || b.is_half_space()
+            ? border_contact(a, b, nodes, PointModel::plane_of_intersection)
+            : model_contact<Dim>(a.sphere(nodes.a), b.sphere(nodes.b), PointModel::radius_ratio,
+                                 motion.centre_b - motion.centre_a);
+    if (!contact) return std::nullopt;
+    Manifold<Dim> manifold;
+    manifold.normal = contact->normal;
+    manifold.points[0] = contact->point - a.position();
+    manifold.depths[0] = contact->depth;
+    manifold.count = 1;
+    return manifold;
+}
+
+}  // namespace
+
+template <int Dim>
+std::int32_t FrontContacts<Dim>::patch_of(std::int32_t pair) {
+    while (joined_[at(pair)] != pair) {
+        joined_[at(pair)] = joined_[at(joined_[at(pair)])];
+        pair = joined_[at(pair)];
+    }
+    return pair;
+}
+
+/// Joins a pair to the first pair that has the same node.
+template <int Dim>
+void FrontContacts<Dim>::join(std::vector<std::int32_t>& first_pair, std::int32_t node,
+                              std::int32_t pair) {
+    std::int32_t& first = first_pair[at(node)];
+    if (first < 0) first = pair;
+    joined_[at(patch_of(pair))] = patch_of(first);
+}
+
+template <int Dim>
+void FrontContacts<Dim>::find_patches(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                      std::span<const NodePair> pairs) {
+    const auto count = static_cast<std::int32_t>(pairs.size());
+    if (first_a_.size() < at(a.tree().size())) first_a_.resize(at(a.tree().size()), -1);
+    if (first_b_.size() < at(b.tree().size())) first_b_.resize(at(b.tree().size()), -1);
+    joined_.resize(pairs.size());
+    for (std::int32_t i = 0; i < count; ++i) joined_[at(i)] = i;
+    for (std::int32_t i = 0; i < count; ++i) {
+        join(first_a_, pairs[at(i)].a, i);
+        join(first_b_, pairs[at(i)].b, i);
+    }
+    refill(patches_, pairs.size(), Patch{});
+    const auto add = [](const Vector<Dim>& mean_normal, Side& side) {
+        if (mean_normal.isZero(0)) return;
+        side.normal += mean_normal;
+        ++side.nodes;
+    };
+    for (std::int32_t i = 0; i < count; ++i) {
+        const NodePair& nodes = pairs[at(i)];
+        Patch& patch = patches_[at(patch_of(i))];
+        // Each node once, at its first pair; which leaves the lists as they were.
+        if (std::exchange(first_a_[at(nodes.a)], -1) >= 0) add(a.mean_normal(nodes.a), patch.a);
+        if (std::exchange(first_b_[at(nodes.b)], -1) >= 0) add(b.mean_normal(nodes.b), patch.b);
+    }
+}
+
+template <int Dim>
+std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedTree<Dim>& a,
+                                                            const PosedTree<Dim>& b,
+                                                            const NodePair& nodes,
+                                                            const PairMotion<Dim>& motion) {
+    const NodeHulls<Dim>& hulls_a = a.tree().hulls;
+    const NodeHulls<Dim>& hulls_b = b.tree().hulls;
+    const bool round_a = hulls_a.is_round(nodes.a) || a.is_half_space();
+    const bool round_b = hulls_b.is_round(nodes.b) || b.is_half_space();
+    if (round_a && round_b) return meet_balls(a, b, nodes, motion);
+    hull_a_.pose(hulls_a.of(nodes.a), a.rotation(), motion.centre_a);
+    hull_b_.pose(hulls_b.of(nodes.b), b.rotation(), motion.centre_b);
+    // Twice for the sums of products that a half-space takes (PosedTree::rounding).
+    return meet(hull_a_, hull_b_, motion, 2 * (a.rounding() + b.rounding()));
+}
+
+/// Every pair of nodes whose hulls meet is a patch.
+template <int Dim>
+void FrontContacts<Dim>::model_hulls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                     std::span<const NodePair> pairs, const PairMotion<Dim>& motion,
+                                     FrontModel<Dim>& found) {
+    const NodeHulls<Dim>& hulls_a = a.tree().hulls;
+    const NodeHulls<Dim>& hulls_b = b.tree().hulls;
+    spoken_.clear();
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        spoken_.push_back(
+            {{hulls_a.best(pairs[i].a), hulls_b.best(pairs[i].b)}, static_cast<std::int32_t>(i)});
+    std::ranges::sort(spoken_, {}, [](const Spoken& spoken) {
+        return std::tuple(spoken.best.a, spoken.best.b, spoken.pair);
+    });
+    touches_.clear();
+    for (std::size_t first = 0, end = 0; first < spoken_.size(); first = end) {
+        const NodePair best = spoken_[first].best;
+        while (end < spoken_.size() && spoken_[end].best == best) ++end;
+        const std::optional<Manifold<Dim>> manifold = meet_nodes(a, b, best, motion);
+        if (!manifold) continue;
+        const Range nodes{static_cast<std::int32_t>(found.node_pairs.size()),
+                          static_cast<std::int32_t>(end - first)};
+        for (std::size_t i = first; i < end; ++i)
+            found.node_pairs.push_back(pairs[at(spoken_[i].pair)]);
+        if (!manifold->parts(motion)) touches_.push_back({*manifold, nodes});
+    }
+    keep_deepest();
+    for (const auto& [manifold, nodes] : touches_)
+        for (std::size_t k = 0; k < manifold.count; ++k)
+            found.contacts.push_back(
+                {{a.position() + manifold.points[k], manifold.normal, manifold.depths[k]}, nodes});
+}
+
+/// Of more than most_patches the deepest, in their order; ties go to the first.
+template <int Dim>
+void FrontContacts<Dim>::keep_deepest() {
+    if (touches_.size() <= most_patches) return;
+    std::ranges::sort(touches_, [](const Touch& x, const Touch& y) {
+        const double depth_x = x.manifold.depth();
+        const double depth_y = y.manifold.depth();
+        return depth_x != depth_y ? depth_x > depth_y : x.nodes.first < y.nodes.first;
+    });
+    touches_.resize(most_patches);
+    std::ranges::sort(touches_, {}, [](const Touch& touch) { return touch.nodes.first; });
+}
+
+template <int Dim>
+void FrontContacts<Dim>::model_balls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                                     std::span<const NodePair> pairs, ContactModel contact_model,
+                                     PointModel point_model, const Vector<Dim>& fallback,
+                                     FrontModel<Dim>& found) {
+    const bool by_border = a.is_half_space() || b.is_half_space();
+    const bool by_surface = contact_model != ContactModel::centre_line && !by_border;
+    if (by_surface) find_patches(a, b, pairs);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const Sphere<Dim> ball_a = a.sphere(pairs[i].a);
+        const Sphere<Dim> ball_b = b.sphere(pairs[i].b);
+        std::optional<Contact<Dim>> contact;
+        if (by_border) {
+            contact = border_contact(a, b, pairs[i], point_model);
+        } else if (by_surface) {
+            const Patch& patch = patches_[at(patch_of(static_cast<std::int32_t>(i)))];
+            contact = patch_contact<Dim>(ball_a, patch.a, ball_b, patch.b, point_model, fallback);
+        } else {
+            contact = model_contact<Dim>(ball_a, ball_b, point_model, fallback);
+        }
+        if (!contact) continue;
+        const Range nodes{static_cast<std::int32_t>(found.node_pairs.size()), 1};
+        found.node_pairs.push_back(pairs[i]);
+        found.contacts.push_back({*contact, nodes});
+    }
+}
+
+template <int Dim>
+void FrontContacts<Dim>::model(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
+                               std::span<const NodePair> pairs, ContactModel contact_model,
+                               PointModel point_model, const PairMotion<Dim>& motion,
+                               FrontModel<Dim>& found) {
+    found.node_pairs.clear();
+    found.contacts.clear();
+    if (contact_model == ContactModel::hull && a.tree().has_hulls() && b.tree().has_hulls())
+        model_hulls(a, b, pairs, motion, found);
+    else
+        model_balls(a, b, pairs, contact_model, point_model, motion.centre_b - motion.centre_a,
+                    found);
+}
+
+template <int Dim>
+std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>& a, const Body<Dim>& b,
+                                            const Front& front, ContactModel contact_model,
+                                            PointModel point_model, double time_step) {
+    PosedTree<Dim> world_a;
+    PosedTree<Dim> world_b;
+    world_a.pose(a);
+    world_b.pose(b);
+    // And all above, one of which may speak for them.
+    const auto carry = [](const Body<Dim>& body, std::int32_t node, PosedTree<Dim>& world) {
+        for (; node > 0; node = body.tree->parent[at(node)])
+            world.carry_children(body.tree->parent[at(node)]);
+    };
+    for (const NodePair& nodes : front.pairs) {
+        carry(a, nodes.a, world_a);
+        carry(b, nodes.b, world_b);
+    }
+    FrontModel<Dim> found;
+    FrontContacts<Dim>().model(world_a, world_b, front.pairs, contact_model, point_model,
+                               pair_motion(a, b, time_step), found);
+    std::vector<Contact<Dim>> contacts;
+    for (const PatchContact<Dim>& entry : found.contacts) contacts.push_back(entry.contact);
+    return contacts;
+}
+
+#define LOD_INSTANTIATE(Dim)                              \
+    template class FrontContacts<Dim>;                    \
+    template std::vector<Contact<Dim>> contacts_of_front( \
+        const Body<Dim>&, const Body<Dim>&, const Front&, ContactModel, PointModel, double);
+LOD_INSTANTIATE(2)
+LOD_INSTANTIATE(3)
+#undef LOD_INSTANTIATE
+
+}  // namespace lod

@@ -1,0 +1,45 @@
+#include "lodlab/core/response/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lod {
+
+template <int Dim>
+int solve_newton(std::span<const std::int32_t> contacts, std::span<const Impact<Dim>> impacts,
+                 std::span<const Inertia<Dim>> world_inverse_inertia,
+                 std::span<const double> target, double tolerance, std::span<Body<Dim>> bodies,
+                 std::span<double> lambda) {
+    for (std::int32_t contact : contacts) lambda[static_cast<std::size_t>(contact)] = 0;
+    for (int sweep = 1; sweep <= most_newton_sweeps; ++sweep) {
+        double most_change = 0;
+        for (std::int32_t contact : contacts) {
+            const auto i = static_cast<std::size_t>(contact);
+            const auto a = static_cast<std::size_t>(impacts[i].a);
+            const auto b = static_cast<std::size_t>(impacts[i].b);
+            const Contact<Dim>& touch = impacts[i].contact;
+            const double K = inverse_effective_mass(bodies[a], world_inverse_inertia[a], bodies[b],
+                                                    world_inverse_inertia[b], touch);
+            if (K == 0) continue;
+            const double u = closing_velocity(bodies[a], bodies[b], touch);
+            const double wanted = std::max(0.0, lambda[i] + (target[i] - u) / K);
+            const double change = wanted - lambda[i];
+            lambda[i] = wanted;
+            apply_impulse(bodies[a], world_inverse_inertia[a], bodies[b], world_inverse_inertia[b],
+                          touch, change);
+            most_change = std::max(most_change, std::abs(change) * K);
+        }
+        if (most_change <= tolerance) return sweep;
+    }
+    return most_newton_sweeps;
+}
+
+#define LOD_INSTANTIATE(Dim)                                                                  \
+    template int solve_newton(std::span<const std::int32_t>, std::span<const Impact<Dim>>,    \
+                              std::span<const Inertia<Dim>>, std::span<const double>, double, \
+                              std::span<Body<Dim>>, std::span<double>);
+LOD_INSTANTIATE(2)
+LOD_INSTANTIATE(3)
+#undef LOD_INSTANTIATE
+
+}  // namespace lod

@@ -1,0 +1,131 @@
+#include "lodlab/core/tree/tree.hpp"
+
+#include <algorithm>
+
+#include "lodlab/core/base/error.hpp"
+
+namespace lod {
+
+template <int Dim>
+Sphere<Dim> SphereTree<Dim>::sphere(int node) const {
+    Sphere<Dim> s;
+    for (int d = 0; d < Dim; ++d) s.centre[d] = centre[index(d)][index(node)];
+    s.radius = radius[index(node)];
+    return s;
+}
+
+template <int Dim>
+Vector<Dim> SphereTree<Dim>::mean_normal(int node) const {
+    Vector<Dim> n;
+    for (int d = 0; d < Dim; ++d) n[d] = normal[index(d)][index(node)];
+    return n;
+}
+
+template <int Dim>
+int SphereTree<Dim>::level_of(int node) const {
+    const auto after = std::upper_bound(level_begin.begin(), level_begin.end(), node);
+    return static_cast<int>(after - level_begin.begin()) - 1;
+}
+
+template <int Dim>
+std::vector<int> SphereTree<Dim>::level_nodes(int level) const {
+    const int deepest = std::min(level, levels() - 1);
+    std::vector<int> nodes;
+    for (int node = 0; node < level_begin[index(deepest + 1)]; ++node)
+        if (is_leaf(node) || node >= level_begin[index(deepest)]) nodes.push_back(node);
+    return nodes;
+}
+
+namespace {
+
+/// The numbers of the nodes in breadth-first order, and where each level begins.
+struct Order {
+    std::vector<int> nodes;
+    std::vector<std::int32_t> level_begin{0};
+};
+
+template <int Dim>
+Order breadth_first(std::span<const TreeNode<Dim>> nodes) {
+    if (nodes.empty()) throw Error(ErrorKind::input_refused, "a tree needs at least one node");
+    Order order{{0}, {0}};
+    std::vector<char> seen(nodes.size(), 0);
+    seen[0] = 1;
+    std::size_t level_end = 1;
+    for (std::size_t i = 0; i < order.nodes.size(); ++i) {
+        if (i == level_end) {
+            order.level_begin.push_back(static_cast<std::int32_t>(i));
+            level_end = order.nodes.size();
+        }
+        for (int child : nodes[static_cast<std::size_t>(order.nodes[i])].children) {
+            const bool known = child >= 0 && static_cast<std::size_t>(child) < nodes.size();
+            if (!known || seen[static_cast<std::size_t>(child)])
+                throw Error(ErrorKind::input_refused,
+                            "not a tree: child " + std::to_string(child) + " of node " +
+                                std::to_string(order.nodes[i]) +
+                                " does not exist or has a parent already");
+            seen[static_cast<std::size_t>(child)] = 1;
+            order.nodes.push_back(child);
+        }
+    }
+    if (order.nodes.size() != nodes.size())
+        throw Error(ErrorKind::input_refused,
+                    "not a tree: some nodes are not reached from the root");
+    order.level_begin.push_back(static_cast<std::int32_t>(nodes.size()));
+    return order;
+}
+
+}  // namespace
+
+template <int Dim>
+SphereTree<Dim> lay_out(std::span<const TreeNode<Dim>> nodes) {
+    const Order order = breadth_first(nodes);
+    SphereTree<Dim> tree;
+    tree.level_begin = order.level_begin;
+    tree.parent.assign(nodes.size(), -1);
+    std::int32_t next_child = 1;
+    for (std::size_t i = 0; i < order.nodes.size(); ++i) {
+        const TreeNode<Dim>& node = nodes[static_cast<std::size_t>(order.nodes[i])];
+        for (std::size_t d = 0; d < Dim; ++d) {
+            tree.centre[d].push_back(node.sphere.centre[static_cast<int>(d)]);
+            tree.normal[d].push_back(node.mean_normal[static_cast<int>(d)]);
+        }
+        tree.radius.push_back(node.sphere.radius);
+        tree.extent = std::max(tree.extent, node.sphere.centre.stableNorm() + node.sphere.radius);
+        const auto count = static_cast<std::int32_t>(node.children.size());
+        tree.first_child.push_back(next_child);
+        tree.child_count.push_back(count);
+        for (std::int32_t c = 0; c < count; ++c)
+            tree.parent[static_cast<std::size_t>(next_child + c)] = static_cast<std::int32_t>(i);
+        next_child += count;
+    }
+    return tree;
+}
+
+template <int Dim>
+SphereTree<Dim> single_sphere(const Sphere<Dim>& sphere) {
+    const TreeNode<Dim> root{sphere, Vector<Dim>::Zero(), {}};
+    return lay_out<Dim>(std::span(&root, 1));
+}
+
+template <int Dim>
+SphereTree<Dim> half_space(const Vector<Dim>& normal) {
+    if (!normal.allFinite() || normal.isZero(0))
+        throw Error(ErrorKind::input_refused,
+                    "the normal of a half-space must be finite and not zero");
+    SphereTree<Dim> tree = single_sphere<Dim>({Vector<Dim>::Zero(), 0});
+    tree.half_space = normal.stableNormalized();
+    tree.hulls.add_half_space(*tree.half_space);
+    tree.hulls.find_best(tree.parent);
+    return tree;
+}
+
+template struct SphereTree<2>;
+template struct SphereTree<3>;
+template SphereTree<2> lay_out(std::span<const TreeNode<2>>);
+template SphereTree<3> lay_out(std::span<const TreeNode<3>>);
+template SphereTree<2> half_space(const Vector<2>&);
+template SphereTree<3> half_space(const Vector<3>&);
+template SphereTree<2> single_sphere(const Sphere<2>&);
+template SphereTree<3> single_sphere(const Sphere<3>&);
+
+}  // namespace lod
