@@ -18,8 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array<const char*, 3> verdict_names{"apart", "possible", "true"};
-
 template <int Dim>
 std::string name_of(const scenes::Setup<Dim>& setup, std::int32_t body) {
     return setup.scene.bodies[static_cast<std::size_t>(body)].name;
@@ -56,7 +54,7 @@ Json result_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& instant) {
                               {"intersecting", pair.contact_count > 0 ? 1 : 0}});
         pairs.push_back({{"a", name_of(setup, pair.bodies.a)},
                          {"b", name_of(setup, pair.bodies.b)},
-                         {"verdict", verdict_names[static_cast<std::size_t>(pair.verdict)]},
+                         {"verdict", lod::name_of(pair.verdict)},
                          {"levels", std::move(levels)},
                          {"contacts", contacts_of(instant, pair)}});
     }

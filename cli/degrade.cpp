@@ -37,16 +37,16 @@ constexpr Usual usual_in_space{"box,L,ring", 8, 3};
     throw lod::Error(lod::ErrorKind::usage, line);
 }
 
-template <class Choice, std::size_t n>
-std::vector<Choice> choices_in(const std::string& text, const char* what,
-                               const std::array<std::string_view, n>& names) {
+template <class Choice>
+std::vector<Choice> choices_in(const std::string& text, const char* what) {
     std::vector<Choice> choices;
     for (const std::string& part : scenes::parted(text, ',')) {
-        const auto found = std::find(names.begin(), names.end(), part);
-        if (found == names.end())
+        const std::optional<Choice> found = lod::named<Choice>(part);
+        const auto names = names_of(Choice{});
+        if (!found)
             misused(std::string(what) + " must be of " + scenes::listed(names) + ", not " + part +
                     scenes::did_you_mean(part, names));
-        choices.push_back(static_cast<Choice>(found - names.begin()));
+        choices.push_back(*found);
     }
     return choices;
 }
@@ -74,11 +74,9 @@ measure::Plan plan_of(const Options& options) {
     plan.impacts = options.impacts.value_or(usual_impacts);
     plan.ensemble.seed = options.seed;
     plan.models = choices_in<lod::ContactModel>(
-        options.models.empty() ? "centre_line,node_normal,hull" : options.models, "--models",
-        scenes::contact_model_names);
-    plan.responses =
-        choices_in<lod::Response>(options.responses.empty() ? "net" : options.responses,
-                                  "--responses", scenes::response_names);
+        options.models.empty() ? "centre_line,node_normal,hull" : options.models, "--models");
+    plan.responses = choices_in<lod::Response>(
+        options.responses.empty() ? "net" : options.responses, "--responses");
     return plan;
 }
 
@@ -155,10 +153,10 @@ Json level_json(const measure::CurveLevel& level) {
 }
 
 std::string_view name_of(lod::ContactModel model) {
-    return scenes::contact_model_names[static_cast<std::size_t>(model)];
+    return lod::name_of(model);
 }
 std::string_view name_of(lod::Response response) {
-    return scenes::response_names[static_cast<std::size_t>(response)];
+    return lod::name_of(response);
 }
 
 Json result_of(const measure::Plan& plan, const std::vector<measure::DegradationCurve>& curves) {

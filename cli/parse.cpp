@@ -27,6 +27,12 @@ CLI::Validator one_of(std::vector<std::string_view> words) {
         all);
 }
 
+template <class Choice>
+CLI::Validator name_of_a() {
+    const auto names = names_of(Choice{});
+    return one_of({names.begin(), names.end()});
+}
+
 /// CLI11's own range lets "nan" pass.
 CLI::Validator range(double low, double high) {
     return CLI::Validator(
@@ -75,9 +81,9 @@ const Row rows[] = {
     {"--milliseconds", [](CLI::App& a, Options& o) { a.add_option("--milliseconds", o.milliseconds, "time for the collision handling of a frame [ms]")->check(range(0, 1e6)); }},
     {"--at", [](CLI::App& a, Options& o) { a.add_option("--at", o.at, "the instant [s]; without it the first one in which leaves meet")->check(range(0, 3600)); }},
     {"--duration", [](CLI::App& a, Options& o) { a.add_option("--duration", o.duration, "simulated time [s]")->check(range(1e-7, 3600)); }},
-    {"--response", [](CLI::App& a, Options& o) { a.add_option("--response", o.response, "how impulses combine")->check(one_of({scenes::response_names.begin(), scenes::response_names.end()})); }},
-    {"--contact-model", [](CLI::App& a, Options& o) { a.add_option("--contact-model", o.contact_model, "where a contact's normal comes from")->check(one_of({scenes::contact_model_names.begin(), scenes::contact_model_names.end()})); }},
-    {"--point-model", [](CLI::App& a, Options& o) { a.add_option("--point-model", o.point_model, "where two circles touch")->check(one_of({scenes::point_model_names.begin(), scenes::point_model_names.end()})); }},
+    {"--response", [](CLI::App& a, Options& o) { a.add_option("--response", o.response, "how impulses combine")->check(name_of_a<lod::Response>()); }},
+    {"--contact-model", [](CLI::App& a, Options& o) { a.add_option("--contact-model", o.contact_model, "where a contact's normal comes from")->check(name_of_a<lod::ContactModel>()); }},
+    {"--point-model", [](CLI::App& a, Options& o) { a.add_option("--point-model", o.point_model, "where two circles touch")->check(name_of_a<lod::PointModel>()); }},
     {"--shapes", [](CLI::App& a, Options& o) { a.add_option("--shapes", o.shapes, "shapes that meet, parted by commas: files or generators")->type_name("SHAPE,..."); }},
     {"--impacts", [](CLI::App& a, Options& o) { a.add_option("--impacts", o.impacts, "how many impacts; without it 200")->check(range(1, 1e7)); }},
     {"--seed", [](CLI::App& a, Options& o) { a.add_option("--seed", o.seed, "of the random impacts")->capture_default_str(); }},
@@ -85,7 +91,7 @@ const Row rows[] = {
     {"--responses", [](CLI::App& a, Options& o) { a.add_option("--responses", o.responses, "responses, parted by commas; without it net")->type_name("RESPONSE,..."); }},
     {"--share", [](CLI::App& a, Options& o) { a.add_option("--share", o.share, "do one share of the impacts only, as in 3/8")->type_name("I/N")->capture_default_str(); }},
     {"--merge", [](CLI::App& a, Options& o) { a.add_option("--merge", o.merge, "put shares together that --out FILE.json wrote")->type_name("FILE"); }},
-    {"--finest", [](CLI::App& a, Options& o) { a.add_option("--finest", o.finest, "what follows the leaves")->check(one_of({scenes::finest_names.begin(), scenes::finest_names.end()})); }},
+    {"--finest", [](CLI::App& a, Options& o) { a.add_option("--finest", o.finest, "what follows the leaves")->check(name_of_a<lod::Finest>()); }},
     {"--sweep", [](CLI::App& a, Options& o) { a.add_option("--sweep", o.sweep, "look between frames for what fast bodies would pass through; without it where --finest goes beyond the leaves")->check(one_of({"on", "off"})); }},
     {"--projected", [](CLI::App& a, Options& o) { a.add_flag("--projected", o.projected, "space: pictures show the last level's intersecting spheres in the plane of the contact normal"); }},
     {"--strip", [](CLI::App& a, Options& o) { a.add_flag_callback("--strip", [&o] { o.picture = "strip"; }, "still pictures show start, collision and after (two bodies: the default)"); }},

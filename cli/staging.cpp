@@ -13,11 +13,9 @@ namespace {
 
 constexpr double most_frames = 100'000;  // at 240 a second, seven minutes
 
-template <class Choice, std::size_t n>
-void override_choice(const std::string& name, const std::array<std::string_view, n>& names,
-                     Choice& choice) {
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found != names.end()) choice = static_cast<Choice>(found - names.begin());
+template <class Choice>
+void override_choice(const std::string& name, Choice& choice) {
+    choice = lod::named<Choice>(name).value_or(choice);
 }
 
 void override_limits(const Options& options, scenes::Limits& limits) {
@@ -52,10 +50,10 @@ io::TreeCache cache_of(const Options& options) {
 scenes::Scene scene_of(const Options& options) {
     scenes::Scene scene = scenes::load_scene(scenes::scene_file(options.scene));
     override_limits(options, scene.limits);
-    override_choice(options.response, scenes::response_names, scene.response);
-    override_choice(options.contact_model, scenes::contact_model_names, scene.contact_model);
-    override_choice(options.point_model, scenes::point_model_names, scene.point_model);
-    override_choice(options.finest, scenes::finest_names, scene.finest.level);
+    override_choice(options.response, scene.response);
+    override_choice(options.contact_model, scene.contact_model);
+    override_choice(options.point_model, scene.point_model);
+    override_choice(options.finest, scene.finest.level);
     if (!options.sweep.empty()) scene.sweep = options.sweep == "on";
     if (options.duration) scene.duration = *options.duration;
     check_frames(scene, options);

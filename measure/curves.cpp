@@ -96,8 +96,8 @@ std::string curves_csv(const std::vector<DegradationCurve>& curves) {
     for (const DegradationCurve& curve : curves)
         for (const CurveLevel& level : curve.levels) {
             Row row;
-            row.add(scenes::contact_model_names[static_cast<std::size_t>(curve.model)]);
-            row.add(scenes::response_names[static_cast<std::size_t>(curve.response)]);
+            row.add(lod::name_of(curve.model));
+            row.add(lod::name_of(curve.response));
             row.add(std::string_view(level.name));
             row.add(level.impacts);
             for (const Spread& error : {level.impulse_error, level.angle_error, level.spin_error}) {

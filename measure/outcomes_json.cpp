@@ -15,22 +15,21 @@ constexpr int outcomes_version = 1;
 constexpr std::size_t most_bytes = std::size_t{1} << 31;
 constexpr std::size_t numbers_per_outcome = 9;
 
-template <class Choice, std::size_t n>
-Json names_json(const std::vector<Choice>& choices, const std::array<std::string_view, n>& names) {
+template <class Choice>
+Json names_json(const std::vector<Choice>& choices) {
     Json list = Json::array();
-    for (const Choice choice : choices) list.push_back(names[static_cast<std::size_t>(choice)]);
+    for (const Choice choice : choices) list.push_back(lod::name_of(choice));
     return list;
 }
 
-template <class Choice, std::size_t n>
-std::vector<Choice> choices_from(const Json& json, const std::array<std::string_view, n>& names) {
+template <class Choice>
+std::vector<Choice> choices_from(const Json& json) {
     std::vector<Choice> choices;
     for (const Json& entry : json) {
-        const auto found =
-            std::find(names.begin(), names.end(), entry.get_ref<const std::string&>());
-        if (found == names.end())
-            throw std::invalid_argument("\"" + entry.get<std::string>() + "\" is no setting");
-        choices.push_back(static_cast<Choice>(found - names.begin()));
+        const auto& name = entry.get_ref<const std::string&>();
+        const std::optional<Choice> found = lod::named<Choice>(name);
+        if (!found) throw std::invalid_argument("\"" + name + "\" is no setting");
+        choices.push_back(*found);
     }
     return choices;
 }
@@ -48,8 +47,8 @@ Json plan_json(const Plan& plan) {
             {"spin", plan.ensemble.spin},
             {"aim", plan.ensemble.aim},
             {"restitution", plan.ensemble.restitution},
-            {"models", names_json(plan.models, scenes::contact_model_names)},
-            {"responses", names_json(plan.responses, scenes::response_names)}};
+            {"models", names_json(plan.models)},
+            {"responses", names_json(plan.responses)}};
 }
 
 Plan plan_from(const Json& json) {
@@ -66,8 +65,8 @@ Plan plan_from(const Json& json) {
     plan.ensemble.spin = json.at("spin").get<double>();
     plan.ensemble.aim = json.at("aim").get<double>();
     plan.ensemble.restitution = json.at("restitution").get<double>();
-    plan.models = choices_from<lod::ContactModel>(json.at("models"), scenes::contact_model_names);
-    plan.responses = choices_from<lod::Response>(json.at("responses"), scenes::response_names);
+    plan.models = choices_from<lod::ContactModel>(json.at("models"));
+    plan.responses = choices_from<lod::Response>(json.at("responses"));
     if (plan.depth < 0 || plan.depth > 12) throw std::invalid_argument("depth is out of range");
     return plan;
 }

@@ -122,13 +122,14 @@ Triple spin(const TomlEntry& entry, const Reading& reading) {
 }
 
 template <class Choice>
-Choice choice(const TomlEntry& entry, std::span<const std::string_view> names) {
+Choice choice(const TomlEntry& entry) {
     const std::string name = text(entry);
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
+    const std::optional<Choice> found = lod::named<Choice>(name);
+    const auto names = names_of(Choice{});
+    if (!found)
         refuse(entry,
                "must be one of " + listed(names) + ", not " + name + did_you_mean(name, names));
-    return static_cast<Choice>(found - names.begin());
+    return *found;
 }
 
 /// Level, node tests and milliseconds exclude each other.
@@ -180,11 +181,11 @@ const Key<Scene> scene_table[] = {
     {"level", "", "the leaves", [](const E& e, Scene& s, Reading&) { check_only_limit(e, s); s.limits.level = integer(e, 0, most_level); }},
     {"node_tests", "tests a frame", "no limit", [](const E& e, Scene& s, Reading&) { check_only_limit(e, s); s.limits.node_tests = static_cast<std::uint64_t>(integer(e, 0, 2'000'000'000)); }},
     {"milliseconds", "ms a frame", "no limit", [](const E& e, Scene& s, Reading&) { check_only_limit(e, s); s.limits.milliseconds = number(e, 0, 1e6); }},
-    {"response", "", "net", [](const E& e, Scene& s, Reading&) { s.response = choice<lod::Response>(e, response_names); }},
-    {"contact_model", "", "hull", [](const E& e, Scene& s, Reading&) { s.contact_model = choice<lod::ContactModel>(e, contact_model_names); }},
-    {"point_model", "", "radius_ratio", [](const E& e, Scene& s, Reading&) { s.point_model = choice<lod::PointModel>(e, point_model_names); }},
-    {"priority", "", "closing_speed", [](const E& e, Scene& s, Reading&) { s.priority = choice<lod::Priority>(e, priority_names); }},
-    {"finest", "", "leaves", [](const E& e, Scene& s, Reading&) { s.finest.level = choice<lod::Finest>(e, finest_names); }},
+    {"response", "", "net", [](const E& e, Scene& s, Reading&) { s.response = choice<lod::Response>(e); }},
+    {"contact_model", "", "hull", [](const E& e, Scene& s, Reading&) { s.contact_model = choice<lod::ContactModel>(e); }},
+    {"point_model", "", "radius_ratio", [](const E& e, Scene& s, Reading&) { s.point_model = choice<lod::PointModel>(e); }},
+    {"priority", "", "closing_speed", [](const E& e, Scene& s, Reading&) { s.priority = choice<lod::Priority>(e); }},
+    {"finest", "", "leaves", [](const E& e, Scene& s, Reading&) { s.finest.level = choice<lod::Finest>(e); }},
     {"finest_pairs", "pairs a frame", "8", [](const E& e, Scene& s, Reading&) { s.finest.most_pairs = integer(e, 0, 1'000'000); }},
     {"sweep", "", "true with finest", [](const E& e, Scene& s, Reading&) { s.sweep = truth(e); }},
     {"restitution", "", "1", [](const E& e, Scene&, Reading& r) { r.defaults.restitution = number(e, 0, 1); }},

@@ -107,14 +107,4 @@ struct KeyNote {
 };
 [[nodiscard]] std::vector<KeyNote> key_notes();
 
-/// Names of the choices, in the order of the enum: for keys, options and messages.
-inline constexpr std::array<std::string_view, 6> response_names{"net",        "sum", "mean",
-                                                                "sequential", "lcp", "reflections"};
-inline constexpr std::array<std::string_view, 3> contact_model_names{"centre_line", "node_normal",
-                                                                     "hull"};
-inline constexpr std::array<std::string_view, 2> point_model_names{"radius_ratio",
-                                                                   "plane_of_intersection"};
-inline constexpr std::array<std::string_view, 3> finest_names{"leaves", "exact", "backtrack"};
-inline constexpr std::array<std::string_view, 2> priority_names{"in_order", "closing_speed"};
-
 }  // namespace scenes

@@ -16,7 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_bytes = 500'000'000;
-constexpr std::array<const char*, 3> verdict_names{"apart", "possible", "true"};
 
 std::uint64_t from_hexadecimal(const std::string& text) {
     std::uint64_t number = 0;
@@ -78,9 +77,9 @@ Json pairs(const lod::FrameRecord<Dim>& record) {
         list.push_back({{"a", pair.bodies.a},
                         {"b", pair.bodies.b},
                         {"level", pair.level},
-                        {"verdict", verdict_names[static_cast<std::size_t>(pair.verdict)]},
+                        {"verdict", lod::name_of(pair.verdict)},
                         {"tests", pair.tests},
-                        {"finest", finest_names[static_cast<std::size_t>(pair.finest)]},
+                        {"finest", lod::name_of(pair.finest)},
                         {"impact_time", pair.impact_time},
                         {"contacts", std::move(contacts)}});
     }
@@ -102,31 +101,29 @@ Json swept(const lod::FrameRecord<Dim>& record) {
 }
 
 Json settings_json(const lod::FrameSettings& settings) {
-    return {
-        {"time_step", settings.time_step},
-        {"deepest_level", settings.deepest_level},
-        {"response", response_names[static_cast<std::size_t>(settings.response)]},
-        {"contact_model", contact_model_names[static_cast<std::size_t>(settings.contact_model)]},
-        {"point_model", point_model_names[static_cast<std::size_t>(settings.point_model)]},
-        {"priority", priority_names[static_cast<std::size_t>(settings.priority)]},
-        {"finest",
-         {{"level", finest_names[static_cast<std::size_t>(settings.finest.level)]},
-          {"most_pairs", settings.finest.most_pairs},
-          {"cost", settings.finest.cost},
-          {"tolerance", settings.finest.tolerance}}},
-        {"sweep",
-         {{"on", settings.sweep.on},
-          {"deepest_level", settings.sweep.deepest_level},
-          {"exact", settings.sweep.exact},
-          {"tolerance", settings.sweep.tolerance},
-          {"most_impacts", settings.sweep.most_impacts}}}};
+    return {{"time_step", settings.time_step},
+            {"deepest_level", settings.deepest_level},
+            {"response", lod::name_of(settings.response)},
+            {"contact_model", lod::name_of(settings.contact_model)},
+            {"point_model", lod::name_of(settings.point_model)},
+            {"priority", lod::name_of(settings.priority)},
+            {"finest",
+             {{"level", lod::name_of(settings.finest.level)},
+              {"most_pairs", settings.finest.most_pairs},
+              {"cost", settings.finest.cost},
+              {"tolerance", settings.finest.tolerance}}},
+            {"sweep",
+             {{"on", settings.sweep.on},
+              {"deepest_level", settings.sweep.deepest_level},
+              {"exact", settings.sweep.exact},
+              {"tolerance", settings.sweep.tolerance},
+              {"most_impacts", settings.sweep.most_impacts}}}};
 }
 
-template <class Choice, std::size_t n>
-Choice choice(const Json& json, const std::array<std::string_view, n>& names) {
+template <class Choice>
+Choice choice(const Json& json) {
     const auto& name = json.get_ref<const std::string&>();
-    for (std::size_t i = 0; i < n; ++i)
-        if (names[i] == name) return static_cast<Choice>(i);
+    if (const std::optional<Choice> found = lod::named<Choice>(name)) return *found;
     throw std::invalid_argument("\"" + name + "\" is no setting");
 }
 
@@ -145,10 +142,10 @@ lod::FrameSettings settings_from(const Json& json) {
     lod::FrameSettings settings;
     settings.time_step = json.at("time_step").get<double>();
     settings.deepest_level = io::whole_number<int>(json.at("deepest_level"));
-    settings.response = choice<lod::Response>(json.at("response"), response_names);
+    settings.response = choice<lod::Response>(json.at("response"));
     if (json.contains("finest")) {  // traces from before there was one have none
         const Json& finest = json.at("finest");
-        settings.finest.level = choice<lod::Finest>(finest.at("level"), finest_names);
+        settings.finest.level = choice<lod::Finest>(finest.at("level"));
         settings.finest.most_pairs = io::whole_number<int>(finest.at("most_pairs"));
         settings.finest.cost = io::whole_number<std::uint64_t>(finest.at("cost"));
         settings.finest.tolerance = finest.at("tolerance").get<double>();
@@ -158,10 +155,10 @@ lod::FrameSettings settings_from(const Json& json) {
     if (json.contains("sweep")) settings.sweep = sweep_from(json.at("sweep"));
     settings.contact_model =
         json.contains("contact_model")
-            ? choice<lod::ContactModel>(json.at("contact_model"), contact_model_names)
+            ? choice<lod::ContactModel>(json.at("contact_model"))
             : lod::ContactModel::centre_line;  // traces from before there was a choice
-    settings.point_model = choice<lod::PointModel>(json.at("point_model"), point_model_names);
-    settings.priority = choice<lod::Priority>(json.at("priority"), priority_names);
+    settings.point_model = choice<lod::PointModel>(json.at("point_model"));
+    settings.priority = choice<lod::Priority>(json.at("priority"));
     if (!(settings.time_step > 0 && settings.time_step <= 1))
         throw std::invalid_argument("time_step is out of range");
     return settings;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/math/half_space.hpp"
 #include "lodlab/core/tree/body.hpp"
 
@@ -26,6 +27,11 @@ enum class PointModel {
     radius_ratio,           ///< divides the line in the ratio of the radii (paper, eq. 5)
     plane_of_intersection,  ///< where the plane through the balls' intersection cuts the line
 };
+[[nodiscard]] constexpr std::array<std::string_view, 2> names_of(PointModel) {
+    return {"radius_ratio", "plane_of_intersection"};
+}
+static_assert(names_of(PointModel{}).size() ==
+              static_cast<std::size_t>(PointModel::plane_of_intersection) + 1);
 
 /// Where the normal of a contact comes from.
 enum class ContactModel {
@@ -33,6 +39,10 @@ enum class ContactModel {
     node_normal,  ///< the surfaces that the two nodes stand for, as far as each is flat
     hull,         ///< the convex hulls of what the two nodes stand for
 };
+[[nodiscard]] constexpr std::array<std::string_view, 3> names_of(ContactModel) {
+    return {"centre_line", "node_normal", "hull"};
+}
+static_assert(names_of(ContactModel{}).size() == static_cast<std::size_t>(ContactModel::hull) + 1);
 
 /// Models the contact of two balls (paper, eqs. 4 and 5). Balls of different levels may meet.
 /// Returns nothing when they are apart.

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/exact/time_of_impact.hpp"
 #include "lodlab/core/frame/schedule.hpp"
 
@@ -16,6 +17,10 @@ enum class Finest {
     exact,      ///< the true shapes: whether they overlap, and where they touched
     backtrack,  ///< and the response happens at the time of impact, not at the end of the frame
 };
+[[nodiscard]] constexpr std::array<std::string_view, 3> names_of(Finest) {
+    return {"leaves", "exact", "backtrack"};
+}
+static_assert(names_of(Finest{}).size() == static_cast<std::size_t>(Finest::backtrack) + 1);
 
 /// The levels after the leaves, as a setting of frames.
 struct FinestDetail {

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/frame/broad_phase.hpp"
 #include "lodlab/core/tree/traversal.hpp"
 
@@ -15,6 +16,10 @@ enum class Priority {
     closing_speed,  ///< faster approach of the two centres of mass first: their errors move
                     ///< furthest
 };
+[[nodiscard]] constexpr std::array<std::string_view, 2> names_of(Priority) {
+    return {"in_order", "closing_speed"};
+}
+static_assert(names_of(Priority{}).size() == static_cast<std::size_t>(Priority::closing_speed) + 1);
 
 /// The order in which the pairs are refined: indices into `pairs`, most important first. `speed` is
 /// storage that the caller keeps.

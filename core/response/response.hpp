@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/response/net_impulse.hpp"
 
 namespace lod {
@@ -20,6 +21,10 @@ enum class Response {
     reflections,  ///< reference: generalised reflections (Smith, Kaufman, Vouga, Tamstorf and
                   ///< Grinspun, Reflections on Simultaneous Impact, 2012)
 };
+[[nodiscard]] constexpr std::array<std::string_view, 6> names_of(Response) {
+    return {"net", "sum", "mean", "sequential", "lcp", "reflections"};
+}
+static_assert(names_of(Response{}).size() == static_cast<std::size_t>(Response::reflections) + 1);
 
 /// Resolves all contacts of an instant: changes the velocities and spins of the bodies and writes
 /// the total impulse of each contact (>= 0, same order as `impacts`). What `net` does is said at

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/base/range.hpp"
 #include "lodlab/core/tree/budget.hpp"
 #include "lodlab/core/tree/posed_tree.hpp"
@@ -23,6 +24,10 @@ enum class Verdict {
     possible,        ///< nodes overlap, none of them leaf with leaf
     true_collision,  ///< leaves overlap
 };
+[[nodiscard]] constexpr std::array<std::string_view, 3> names_of(Verdict) {
+    return {"apart", "possible", "true"};
+}
+static_assert(names_of(Verdict{}).size() == static_cast<std::size_t>(Verdict::true_collision) + 1);
 
 /// How far one body pair was refined.
 struct FrontState {

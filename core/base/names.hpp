@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace lod {
+
+/// What scenes, options and messages call a choice. Every such enum has its names beside it, in a
+/// function names_of(Choice) that gives them in the order of the enum.
+template <class Choice>
+[[nodiscard]] constexpr std::string_view name_of(Choice choice) {
+    return names_of(choice)[static_cast<std::size_t>(choice)];
+}
+
+/// The choice of that name; nothing where none has it.
+template <class Choice>
+[[nodiscard]] constexpr std::optional<Choice> named(std::string_view name) {
+    const auto names = names_of(Choice{});
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) return static_cast<Choice>(i);
+    return std::nullopt;
+}
+
+}  // namespace lod
