@@ -1,14 +1,11 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <cctype>
 #include <chrono>
-#include <cstdlib>
 #include <kainjow/mustache.hpp>
-#include <system_error>
 
 #include "lessons/embedded.hpp"
 #include "lessons/markdown.hpp"
+#include "lessons/output_folder.hpp"
 #include "lessons/page.hpp"
 #include "lessons/source.hpp"
 #include "lodlab/core/base/error.hpp"
@@ -21,68 +18,6 @@ namespace lessons {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* mark_file = "made-by-lodlab-book";  ///< tells our folder from any other
-
-[[noreturn]] void fail(const fs::path& path, const std::string& why) {
-    throw lod::Error(lod::ErrorKind::output_failed, path.string() + ": " + why);
-}
-
-/// A directory in the making: complete under its final name, or absent.
-class OutputDirectory {
-  public:
-    explicit OutputDirectory(const fs::path& final_path) : final_(fs::absolute(final_path)) {
-        if (!final_.has_filename()) final_ = final_.parent_path();
-        std::error_code failed;
-        const bool exists = fs::exists(fs::symlink_status(final_, failed));
-        if (exists && !may_replace())
-            fail(final_path, "exists and is not a book; choose another directory");
-        fs::create_directories(final_.parent_path(), failed);
-        std::string name = (final_.parent_path() / ("." + final_.filename().string() + "-XXXXXX"));
-        if (!mkdtemp(name.data()))
-            fail(final_path, "its folder cannot be written; choose another directory");
-        temporary_ = name;
-        fs::permissions(temporary_, fs::perms::owner_all | fs::perms::group_read |
-                                        fs::perms::group_exec | fs::perms::others_read |
-                                        fs::perms::others_exec);
-    }
-    ~OutputDirectory() {
-        std::error_code ignored;
-        if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
-    }
-    OutputDirectory(const OutputDirectory&) = delete;
-    OutputDirectory& operator=(const OutputDirectory&) = delete;
-
-    [[nodiscard]] const fs::path& path() const { return temporary_; }
-
-    void commit() {
-        std::error_code failed;
-        fs::path old;
-        if (fs::exists(final_)) {
-            old = temporary_;
-            old += "-old";
-            fs::rename(final_, old, failed);
-            if (failed) fail(final_, "cannot be replaced: " + failed.message());
-        }
-        fs::rename(temporary_, final_, failed);
-        if (failed) {
-            std::error_code ignored;
-            if (!old.empty()) fs::rename(old, final_, ignored);
-            fail(final_, "cannot be written: " + failed.message());
-        }
-        temporary_.clear();
-        if (!old.empty()) fs::remove_all(old, failed);
-    }
-
-  private:
-    [[nodiscard]] bool may_replace() const {
-        return fs::is_directory(fs::symlink_status(final_)) &&
-               (fs::is_empty(final_) || fs::exists(final_ / mark_file));
-    }
-
-    fs::path final_;
-    fs::path temporary_;
-};
 
 /// Counts pictures and frames, and tells the caller how far the book has come.
 class Meter {
@@ -135,7 +70,6 @@ class BookWriter {
             lod::write_text_file(root_ / name, embedded_files().at(name));
         for (std::size_t i = 0; i < all.size(); ++i) write_lesson(all, i);
         write_index(all);
-        lod::write_text_file(root_ / mark_file, "This folder may be replaced by `lodlab book`.\n");
     }
 
   private:
@@ -252,7 +186,7 @@ class BookWriter {
 }  // namespace
 
 void write_book(const std::filesystem::path& directory, const BookOptions& options) {
-    OutputDirectory output(directory);
+    OutputFolder output(directory);
     BookWriter(output.path(), options).write();
     output.commit();
 }

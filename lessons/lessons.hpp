@@ -93,8 +93,8 @@ struct BookOptions {
 
 /// Writes the lessons as pages that work without a network: index.html and a folder a lesson.
 /// The directory is complete or absent: pages are made in a temporary directory beside it, which
-/// then takes its name; a book that stood there is replaced, anything else is refused (output
-/// failed).
+/// then takes its name. A book that stood there is replaced where it holds nothing but what
+/// write_book wrote; anything else is refused (output failed), and stays as it is.
 void write_book(const std::filesystem::path& directory, const BookOptions& options = {});
 
 }  // namespace lessons

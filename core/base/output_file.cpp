@@ -14,23 +14,17 @@
 #include <vector>
 #if defined(_WIN32)
 #include <io.h>
-#else
-#include <sys/file.h>
-
-#include <csignal>
 #endif
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_part.hpp"
 
 namespace lod {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int most_names = 100;
-constexpr int most_links = 40;             // that stand for one file, as the system has it
-constexpr std::size_t longest_name = 255;  // of a file, in bytes, as the system has it
-constexpr std::string_view part_mark = ".lodlab-part";
+constexpr int most_links = 40;  // that stand for one file, as the system has it
 
 std::string mend(int error_number) {
     switch (error_number) {
@@ -74,10 +68,6 @@ int flush(int descriptor) {
     return ::_commit(descriptor);
 }
 
-void hold(int) {}
-bool is_held(const fs::path&) {
-    return true;  // nobody knows
-}
 void keep_mode(const fs::path&, int) {}
 #else
 int open_new(const fs::path& path) {
@@ -91,20 +81,6 @@ std::ptrdiff_t write_at(int descriptor, const char* bytes, std::size_t count,
 
 int flush(int descriptor) {
     return ::fsync(descriptor);
-}
-
-/// Until the descriptor is closed, at the latest by the end of the process.
-void hold(int descriptor) {
-    ::flock(descriptor, LOCK_EX | LOCK_NB);
-}
-
-/// Whether some process, perhaps of another machine, still writes this part.
-bool is_held(const fs::path& part) {
-    const int descriptor = ::open(part.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
-    if (descriptor < 0) return true;
-    const bool held = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
-    ::close(descriptor);
-    return held;
 }
 
 /// Gives the new file who may do what with the old one, as far as the system lets us.
@@ -121,44 +97,6 @@ void remove_quietly(const fs::path& path) {
     fs::remove(path, ignored);
 }
 
-/// The number of the process that made a part, -1 where the name is not one of a part.
-long process_of(const std::string& name) {
-    const std::size_t mark = name.rfind(part_mark);
-    if (mark == std::string::npos) return -1;
-    const std::string rest = name.substr(mark + part_mark.size());
-    const std::size_t dash = rest.find('-');
-    const auto digits = [](std::string_view text) {
-        return !text.empty() && text.size() < 10 &&
-               text.find_first_not_of("0123456789") == std::string_view::npos;
-    };
-    if (dash == std::string::npos || !digits(std::string_view(rest).substr(0, dash)) ||
-        !digits(std::string_view(rest).substr(dash + 1)))
-        return -1;
-    return std::stol(rest.substr(0, dash));
-}
-
-bool is_alive(long process) {
-#if defined(_WIN32)
-    return process >= 0;
-#else
-    return ::kill(static_cast<pid_t>(process), 0) == 0 || errno != ESRCH;
-#endif
-}
-
-/// Removes the parts that processes left in a folder which ended without a chance to do so.
-void sweep(const fs::path& folder) {
-    std::error_code ignored;
-    std::vector<fs::path> old;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-        const long process = process_of(entry.path().filename().string());
-        if (process > 0 && !is_alive(process) && entry.is_regular_file(ignored) &&
-            !entry.is_symlink(ignored))
-            old.push_back(entry.path());
-    }
-    for (const fs::path& part : old)
-        if (!is_held(part)) remove_quietly(part);
-}
-
 /// Where links from `path` lead, whether or not there is something. Sets `error` where they go on
 /// for ever, or a name is not to be had.
 fs::path followed(fs::path path, std::error_code& error) {
@@ -171,14 +109,6 @@ fs::path followed(fs::path path, std::error_code& error) {
     }
     error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
     return path;
-}
-
-/// The name of a part: of the file's own name as much as a name may hold.
-fs::path part_of(const fs::path& path, int attempt) {
-    const std::string mark =
-        std::string(part_mark) + std::to_string(::getpid()) + "-" + std::to_string(attempt);
-    const std::string name = path.filename().string();
-    return path.parent_path() / (name.substr(0, longest_name - mark.size()) + mark);
 }
 
 bool is_read_only(const fs::path& path, fs::perms mode) {
@@ -199,14 +129,14 @@ OutputFile::OutputFile(fs::path final_path) : named_(std::move(final_path)) {
         refuse("it is no regular file; name a new file");
     if (fs::exists(status) && is_read_only(final_, status.permissions()))
         refuse("it is read-only; make it writable (chmod u+w), or choose another name");
-    sweep(final_.has_parent_path() ? final_.parent_path() : ".");
-    for (int attempt = 0; attempt < most_names && descriptor_ < 0; ++attempt) {
+    sweep_parts(final_.has_parent_path() ? final_.parent_path() : ".");
+    for (int attempt = 0; attempt < most_parts && descriptor_ < 0; ++attempt) {
         temporary_ = part_of(final_, attempt);
         descriptor_ = open_new(temporary_);
         if (descriptor_ < 0 && errno != EEXIST) fail(errno);
     }
     if (descriptor_ < 0) fail(EEXIST);
-    hold(descriptor_);
+    hold_part(descriptor_);
     keep_mode(final_, descriptor_);
 }
 

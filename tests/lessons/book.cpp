@@ -1,3 +1,6 @@
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -77,22 +80,63 @@ TEST_CASE("a book replaces a book but no other folder", "[lessons]") {
     const Scratch folder;
     const fs::path book = folder.path() / "book";
     write_book(book, lesson_one());
-    std::ofstream(book / "old.txt") << "old";
+    const std::string before = content(book / "index.html");
+    fs::create_directory(book / "empty");
     write_book(book, lesson_one());
-    CHECK_FALSE(fs::exists(book / "old.txt"));
+    CHECK(content(book / "index.html") == before);
     CHECK(entries_in(folder.path()) == 1);
 
     const fs::path other = folder.path() / "other";
     fs::create_directory(other);
     std::ofstream(other / "letter.txt") << "mine";
-    try {
-        write_book(other, lesson_one());
-        FAIL("a folder of the reader's was replaced");
-    } catch (const lod::Error& error) {
-        CHECK(error.kind() == lod::ErrorKind::output_failed);
-    }
+    CHECK_THROWS_AS(write_book(other, lesson_one()), lod::Error);
     CHECK(content(other / "letter.txt") == "mine");
     CHECK(entries_in(folder.path()) == 2);
+}
+
+TEST_CASE("what a reader put into a book, or changed in it, is not lost", "[lessons]") {
+    const Scratch folder;
+    const fs::path book = folder.path() / "book";
+    write_book(book, lesson_one());
+    const auto check_refused = [&](const std::string& name, const BookOptions& options) {
+        try {
+            write_book(book, options);
+            FAIL("a file of the reader's was lost");
+        } catch (const lod::Error& error) {
+            CHECK(error.kind() == lod::ErrorKind::output_failed);
+            CHECK_THAT(error.what(), lodtest::contains("holds " + name));
+        }
+        CHECK(content(book / name) == "mine");
+        CHECK(entries_in(folder.path()) == 1);
+    };
+    for (const std::string name : {"notes.txt", "distance_test/notes.txt"}) {
+        std::ofstream(book / name) << "mine";
+        check_refused(name, lesson_one());
+        fs::remove(book / name);
+    }
+    BookOptions during = lesson_one();  // while the pages are made
+    during.progress = [&](const BookProgress&) { std::ofstream(book / "late.txt") << "mine"; };
+    check_refused("late.txt", during);
+    fs::remove(book / "late.txt");
+    std::ofstream(book / "book.css") << "mine";
+    check_refused("book.css", lesson_one());
+}
+
+TEST_CASE("what a book that was killed left half-written goes with the next one", "[lessons]") {
+    const Scratch folder;
+    const pid_t dead = ::fork();
+    if (dead == 0) ::_exit(0);
+    ::waitpid(dead, nullptr, 0);
+    const auto part = [&](pid_t process) {
+        return folder.path() / ("book.lodlab-part" + std::to_string(process) + "-0");
+    };
+    for (const pid_t process : {dead, ::getppid()}) {
+        fs::create_directory(part(process));
+        std::ofstream(part(process) / "index.html") << "half";
+    }
+    write_book(folder.path() / "book", lesson_one());
+    CHECK_FALSE(fs::exists(part(dead)));
+    CHECK(fs::exists(part(::getppid())));
 }
 
 TEST_CASE("a book that is stopped leaves nothing behind", "[lessons]") {
