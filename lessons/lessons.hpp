@@ -73,6 +73,7 @@ struct StepperOptions {
 /// Steps through a lesson: next (Enter, n, space, right), back (b, p, left), a number or g NUMBER
 /// (goto), t (the lesson's text), ? (help), q (quit). Prints what happens and why, and writes the
 /// picture of each step it comes to. The end of the input quits.
+/// Throws lod::Error: output failed where the pictures cannot be written, or would replace others.
 void step_in_terminal(const Lesson& lesson, std::istream& input, std::ostream& output,
                       const StepperOptions& options = {});
 

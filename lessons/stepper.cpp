@@ -10,6 +10,7 @@
 #include "lessons/plain.hpp"
 #include "lessons/viewer.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/viz/paint/write.hpp"
 
 namespace lessons {
@@ -99,6 +100,13 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
+bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) {
+    std::error_code failed;
+    const auto size = std::filesystem::file_size(a, failed);
+    if (failed || std::filesystem::file_size(b, failed) != size || failed) return false;
+    return lod::read_text_file(a, size) == lod::read_text_file(b, size);
+}
+
 class Stepper {
   public:
     Stepper(const Lesson& lesson, std::ostream& output, const StepperOptions& options)
@@ -112,6 +120,7 @@ class Stepper {
             throw lod::Error(lod::ErrorKind::output_failed,
                              options.pictures.string() + ": cannot be made: " + failed.message() +
                                  "; choose another folder");
+        check_pictures_there();
     }
 
     void greet() {
@@ -160,6 +169,34 @@ class Stepper {
   private:
     [[nodiscard]] int last() const { return static_cast<int>(lesson_.steps.size()); }
 
+    /// A picture that is there already may be ours, to the byte; any other is the reader's.
+    void check_pictures_there() const {
+        for (int number = 1; number <= last(); ++number) {
+            const std::filesystem::path there = options_.pictures / picture_name(number);
+            std::error_code ignored;
+            if (!std::filesystem::exists(std::filesystem::symlink_status(there, ignored))) continue;
+            const TemporaryFolder made;
+            const std::filesystem::path ours = made.path() / picture_name(number);
+            write_picture(number, ours);
+            if (!same_bytes(ours, there))
+                throw lod::Error(lod::ErrorKind::output_failed,
+                                 "cannot write " + there.string() +
+                                     ": another picture has that name; move it elsewhere, or "
+                                     "choose another folder");
+        }
+    }
+
+    static std::string picture_name(int number) {
+        const std::string digits = std::to_string(number);
+        return "step_" + std::string(digits.size() < 2 ? "0" : "") + digits + ".png";
+    }
+
+    void write_picture(int number, const std::filesystem::path& path) const {
+        viz::WriteOptions how;
+        how.theme = options_.theme;
+        viz::write_png(path, lesson_.steps[static_cast<std::size_t>(number - 1)].figure, how);
+    }
+
     void go(int number) {
         if (number < 1 || number > last()) {
             output_ << "There are steps 1 to " << last() << ".\n";
@@ -175,20 +212,16 @@ class Stepper {
             for (const auto& [name, value] : step.numbers)
                 output_ << "  " << name << ": " << value.text << "\n";
         }
-        draw(step, number);
+        draw(number);
     }
 
-    void draw(const Step& step, int number) {
+    void draw(int number) {
         const std::filesystem::path folder = !options_.pictures.empty() ? options_.pictures
                                              : shown_only_              ? shown_only_->path()
                                                                         : std::filesystem::path();
         if (folder.empty()) return;
-        const std::string digits = std::to_string(number);
-        const std::filesystem::path path =
-            folder / ("step_" + std::string(digits.size() < 2 ? "0" : "") + digits + ".png");
-        viz::WriteOptions how;
-        how.theme = options_.theme;
-        viz::write_png(path, step.figure, how);
+        const std::filesystem::path path = folder / picture_name(number);
+        write_picture(number, path);
         if (!options_.pictures.empty()) output_ << "\npicture: " << path.string() << "\n";
         output_ << std::flush;
         constexpr int inline_rows = 30;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <sstream>
 
@@ -124,6 +125,24 @@ TEST_CASE("the picture of each step that was seen is written to the folder", "[l
     CHECK(std::filesystem::exists(options.pictures / "step_02.png"));
     CHECK_FALSE(std::filesystem::exists(options.pictures / "step_03.png"));
     CHECK(output.find("step_02.png") != std::string::npos);
+}
+
+TEST_CASE("a picture of the reader's own is not replaced, one of the same lesson is", "[lessons]") {
+    const Scratch folder;
+    StepperOptions options;
+    options.pictures = folder.path();
+    session("n\n", options);
+    CHECK_NOTHROW(session("n\n", options));
+    const std::filesystem::path third = folder.path() / "step_03.png";
+    std::ofstream(third) << "mine";
+    try {
+        session("n\n", options);
+        FAIL("the reader's picture may be replaced");
+    } catch (const lod::Error& error) {
+        CHECK(error.kind() == lod::ErrorKind::output_failed);
+        CHECK_THAT(error.what(), lodtest::contains("step_03.png: another picture has that name"));
+    }
+    CHECK(std::filesystem::file_size(third) == 4);
 }
 
 TEST_CASE("a folder for pictures that cannot be made is refused", "[lessons]") {
