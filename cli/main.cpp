@@ -40,7 +40,7 @@ bool ends(int signal) {
 }
 
 /// A signal that ends the program is noticed by check_interrupted(), so that what is half-written
-/// goes.
+/// goes. One that is ignored, as by nohup or behind a shell's &, stays ignored.
 void listen_to_signals() {
     struct sigaction action {};
     action.sa_handler = stop;
@@ -48,8 +48,7 @@ void listen_to_signals() {
     for (int signal = 1; signal <= SIGRTMAX; ++signal) {
         struct sigaction before {};
         if (!ends(signal) || sigaction(signal, nullptr, &before) != 0) continue;
-        const bool under_nohup = signal == SIGHUP && before.sa_handler == SIG_IGN;
-        if (!under_nohup) sigaction(signal, &action, nullptr);
+        if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
     }
     std::signal(SIGXFSZ, SIG_IGN);  // the write itself fails, and says why
 }

@@ -196,8 +196,8 @@ void limit_resources(const ImportLimits& limits) {
 }
 
 [[noreturn]] void run_child(int pipe, const SceneFile& file, const ImportLimits& limits) {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int signal : {SIGINT, SIGTERM})  // what is ignored stays so
+        if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
     dup2(nowhere, STDOUT_FILENO);
     dup2(nowhere, STDERR_FILENO);

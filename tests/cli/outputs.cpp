@@ -246,11 +246,12 @@ TEST_CASE("every signal that ends a program lets it tidy up") {
     CHECK(scratch.files().empty());
 }
 
-TEST_CASE("a closed terminal does not stop what runs under nohup") {
+TEST_CASE("a signal that is ignored, as under nohup or behind &, stops nothing") {
+    const int signal = GENERATE(SIGHUP, SIGINT, SIGQUIT, SIGTERM);
     const Scratch scratch;
     Start start;
-    start.in_child = [] { std::signal(SIGHUP, SIG_IGN); };
-    start.signal = SIGHUP;
+    start.in_child = [signal] { std::signal(signal, SIG_IGN); };
+    start.signal = signal;
     start.when_exists = scratch.path() / "film.mp4.lodlab-part";
     const Outcome outcome = lodlab({"simulate", "offset_boxes", "--duration", "0.3", "--quality",
                                     "draft", "--out", scratch / "film.mp4"},
