@@ -111,9 +111,26 @@ int drop(const std::vector<std::size_t>& triangles, Mesh& mesh) {
 
 int drop_other_sides(Mesh& mesh) {
     const auto pairs = back_to_back(mesh);
-    if (2 * pairs.size() != mesh.triangles.size()) return 0;
+    if (pairs.empty()) return 0;
+    const Parts parts = find_parts(mesh);
+    const auto part_of = [&](std::size_t t) {
+        return static_cast<std::size_t>(parts.of_triangle[t]);
+    };
+    std::vector<std::size_t> unpaired(static_cast<std::size_t>(parts.count), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) ++unpaired[part_of(t)];
+    for (const auto& pair : pairs) unpaired[part_of(pair[0])] -= 2;
+    std::vector<Mesh> single(unpaired.size());  // what is left of each part that is all pairs
+    for (const auto& pair : pairs)
+        if (unpaired[part_of(pair[0])] == 0)
+            single[part_of(pair[0])].triangles.push_back(mesh.triangles[pair[0]]);
+    // A sheet beside something else bounds nothing: it is an inner wall.
+    const bool all = 2 * pairs.size() == mesh.triangles.size();
+    std::vector<char> bounds(unpaired.size(), 0);
+    for (std::size_t part = 0; part < single.size(); ++part)
+        bounds[part] = unpaired[part] == 0 && (all || find_bad_edges(single[part]).open == 0);
     std::vector<std::size_t> later;
-    for (const auto& pair : pairs) later.push_back(pair[1]);
+    for (const auto& pair : pairs)
+        if (bounds[part_of(pair[0])] != 0) later.push_back(pair[1]);
     return drop(later, mesh);
 }
 

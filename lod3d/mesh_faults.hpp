@@ -21,8 +21,9 @@ namespace lod3d {
 /// Why a closed mesh bounds no volume: it is flat, or its surface crosses or doubles itself.
 [[nodiscard]] std::string why_no_volume(const Mesh& mesh, const Point& moved);
 
-/// Whether every triangle is there twice, turned both ways, as in a double-sided mesh. Then one of
-/// each two is dropped: the later one. Returns how many were.
+/// Of the parts whose triangles are all there twice, turned both ways, as in a double-sided mesh,
+/// drops one of each two: the later one. Only where the others close, or all of the mesh is so.
+/// Returns how many were dropped.
 int drop_other_sides(Mesh& mesh);
 
 /// Drops triangles that lie back to back, unless all do: walls within a solid, where two parts

@@ -1,6 +1,8 @@
 #include "lodlab/lod3d/solid.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/fill.hpp"
@@ -41,65 +43,115 @@ void turn_alike(Mesh& mesh, std::vector<std::string>& mended) {
 struct Sides {
     int behind = 0;
     int before = 0;
+    bool operator==(const Sides&) const = default;
+
+    /// Nothing but the part begins there.
+    [[nodiscard]] bool clear() const { return behind == before + 1; }
+    [[nodiscard]] bool inside_out() const { return behind <= 0 && before < 0; }
+    [[nodiscard]] bool hidden() const { return behind > 1 && before > 0; }
 };
 
+/// At the middle of a triangle, so far off it [m].
+Sides sides_at(const MeshDistance& distance, const Mesh& mesh, std::size_t triangle, double far) {
+    const Point a = mesh.corner(triangle, 0);
+    const Point b = mesh.corner(triangle, 1);
+    const Point c = mesh.corner(triangle, 2);
+    const Point off = far * (b - a).cross(c - a).stableNormalized();
+    const Point middle = (a + b + c) / 3;
+    return {static_cast<int>(std::lround(distance.winding_number(middle - off))),
+            static_cast<int>(std::lround(distance.winding_number(middle + off)))};
+}
+
+/// Of a part, its triangles by size, the largest first. Preferably where what is close to one is
+/// so further off, too; else close by, as in a wall that is thinner than that.
+Sides sides_of_part(const MeshDistance& distance, const Mesh& mesh, double longest,
+                    std::span<const std::pair<double, std::size_t>> triangles) {
+    constexpr std::size_t most_asked = 16;
+    const auto asked = triangles.first(std::min(most_asked, triangles.size()));
+    const auto close_to = [&](const auto& triangle) {
+        const double least = 1e-12 * longest;  // what rounding leaves of it is enough
+        return sides_at(distance, mesh, triangle.second,
+                        std::max(1e-9 * std::sqrt(triangle.first), least));
+    };
+    for (const auto& triangle : asked) {
+        const Sides far =
+            sides_at(distance, mesh, triangle.second, 1e-5 * std::sqrt(triangle.first));
+        if (far.clear() && far == close_to(triangle)) return far;
+    }
+    for (const auto& triangle : asked)
+        if (const Sides close = close_to(triangle); close.clear()) return close;
+    return close_to(asked.front());
+}
+
 std::vector<Sides> sides_of_parts(const Mesh& mesh, const Parts& parts) {
-    std::vector<std::size_t> largest(static_cast<std::size_t>(parts.count));
-    std::vector<double> most(static_cast<std::size_t>(parts.count), -1);
+    std::vector<std::vector<std::pair<double, std::size_t>>> of_part(
+        static_cast<std::size_t>(parts.count));
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto part = static_cast<std::size_t>(parts.of_triangle[t]);
         const Point a = mesh.corner(t, 0);
         const double area = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm();
-        if (area <= most[part]) continue;
-        most[part] = area;
-        largest[part] = t;
+        of_part[static_cast<std::size_t>(parts.of_triangle[t])].emplace_back(area, t);
     }
     const MeshDistance distance(mesh, InsideRule::winding);
+    const double longest = bounding_box(mesh).size().maxCoeff();
     std::vector<Sides> sides;
-    for (std::size_t part = 0; part < largest.size(); ++part) {
-        const Point a = mesh.corner(largest[part], 0);
-        const Point b = mesh.corner(largest[part], 1);
-        const Point c = mesh.corner(largest[part], 2);
-        const Point off = 1e-5 * std::sqrt(most[part]) * (b - a).cross(c - a).stableNormalized();
-        const Point middle = (a + b + c) / 3;
-        sides.push_back({static_cast<int>(std::lround(distance.winding_number(middle - off))),
-                         static_cast<int>(std::lround(distance.winding_number(middle + off)))});
+    for (auto& triangles : of_part) {
+        lod::check_interrupted();
+        std::ranges::sort(triangles, [](const auto& s, const auto& t) {
+            return s.first > t.first || (s.first == t.first && s.second < t.second);
+        });
+        sides.push_back(sides_of_part(distance, mesh, longest, triangles));
     }
     return sides;
 }
 
-/// Turns parts that are inside-out. Returns how parts stand to each other then; crossing, too,
-/// where one lies within another that it does not hollow out.
+/// Turns the parts that are inside-out. Returns how many those are.
+long turn_parts(Mesh& mesh, const Parts& parts, const std::vector<Sides>& sides) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (sides[static_cast<std::size_t>(parts.of_triangle[t])].inside_out())
+            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    return std::ranges::count_if(sides, &Sides::inside_out);
+}
+
+/// Drops the parts that lie within others and bound nothing. Returns how many those are.
+long drop_hidden(Mesh& mesh, const Parts& parts, const std::vector<Sides>& sides) {
+    const long hidden = std::ranges::count_if(sides, &Sides::hidden);
+    if (hidden == 0) return 0;
+    std::vector<Triangle> kept;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (!sides[static_cast<std::size_t>(parts.of_triangle[t])].hidden())
+            kept.push_back(mesh.triangles[t]);
+    mesh.triangles = std::move(kept);
+    drop_unused_vertices(mesh);
+    return hidden;
+}
+
+/// Turns parts that are inside-out and drops those that others hide. Returns how the parts stand to
+/// each other then.
 PartsMeet turn_outwards(Mesh& mesh, std::vector<std::string>& mended) {
     constexpr double hair = 1e-9;  // of the longest side
     const Parts parts = find_parts(mesh);
-    const std::vector<Sides> sides = sides_of_parts(mesh, parts);
-    long turned = 0;
-    PartsMeet meet = PartsMeet::apart;
-    for (const Sides& side : sides) {
-        // Both are 1 where another part begins right there.
-        if (side.behind == 0 && side.before == -1)
-            ++turned;
-        else if (side.behind != 1 || (side.before != 0 && side.before != 1))
-            meet = PartsMeet::crossing;
-    }
-    const auto settled = [&] {
-        const double longest = bounding_box(mesh).size().maxCoeff();
-        if (meet == PartsMeet::crossing) return meet;
-        if (parts.count > 1) return parts_meet(mesh, parts, hair * longest);
-        return find_bad_edges(mesh).shared > 0 ? PartsMeet::touching : PartsMeet::apart;
+    std::vector<Sides> sides = sides_of_parts(mesh, parts);
+    const auto counted_parts = [&](long count) {
+        return counted(count, "part") + " of " + std::to_string(parts.count);
     };
-    if (turned == 0) return settled();
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Sides& side = sides[static_cast<std::size_t>(parts.of_triangle[t])];
-        if (side.behind == 0 && side.before == -1)
-            std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+    if (const long turned = turn_parts(mesh, parts, sides); turned > 0) {
+        mended.emplace_back(parts.count == 1
+                                ? "turned the surface, which was inside-out"
+                                : "turned " + counted_parts(turned) + ", which stood inside-out");
+        sides = sides_of_parts(mesh, parts);
     }
-    mended.emplace_back(parts.count == 1
-                            ? "turned the surface, which was inside-out"
-                            : "turned " + counted(turned, "part") + " of " +
-                                  std::to_string(parts.count) + ", which stood inside-out");
-    return settled();
+    for (const Sides& side : sides)  // both are 1 where another part begins right there
+        if (!side.hidden() && (side.behind != 1 || (side.before != 0 && side.before != 1)))
+            return PartsMeet::crossing;
+    if (parts.count == 1)
+        return find_bad_edges(mesh).shared > 0 ? PartsMeet::touching : PartsMeet::apart;
+    const double longest = bounding_box(mesh).size().maxCoeff();
+    const PartsMeet meet = parts_meet(mesh, parts, hair * longest);
+    if (meet == PartsMeet::crossing) return meet;
+    if (const long hidden = drop_hidden(mesh, parts, sides); hidden > 0)
+        mended.emplace_back("dropped " + counted_parts(hidden) +
+                            ", as they lie within others and hollow nothing out");
+    return meet;
 }
 
 Mesh filled(const Mesh& mesh, const SolidOptions& options) {
@@ -143,6 +195,7 @@ void mend(Mesh& mesh, const Point& moved, const SolidOptions& options, Solid& so
                         "; if it is small and far from the origin, move it there where it "
                         "is made, or write more digits");
     const int doubled = drop_other_sides(mesh);
+    const bool all_doubled = doubled > 0 && doubled == static_cast<int>(mesh.triangles.size());
     turn_alike(mesh, solid.mended);
     if (const int walls = drop_inner_walls(mesh); walls > 0) {
         drop_unused_vertices(mesh);
@@ -151,7 +204,7 @@ void mend(Mesh& mesh, const Point& moved, const SolidOptions& options, Solid& so
     }
     const BadEdges bad = find_bad_edges(mesh);
     const std::string sides =
-        doubled > 0 ? "its faces are doubled, each is there twice, turned both ways; " : "";
+        all_doubled ? "its faces are doubled, each is there twice, turned both ways; " : "";
     if (!bad.none() && !options.fill)
         lod::refuse_input(source, "the mesh does not bound a solid: " + sides +
                                       describe(bad, mesh, moved) +

@@ -36,10 +36,11 @@ struct SolidOptions {
 ///
 /// Vertices with equal coordinates are merged; where that leaves open edges, those within 1e-6 of
 /// the box's longest side. Triangles that disagree with their neighbours and parts that are
-/// inside-out are turned; of triangles that are all there twice, turned both ways, one each is
-/// kept; a shell within a shell that faces it is a cavity. Where closed parts overlap, the solid is
-/// their union: its surface keeps the hidden triangles, and the integrals are those of the union
-/// filled on a grid, marked approximate. Parts that only touch keep their exact integrals.
+/// inside-out are turned; of a part whose triangles are all there twice, turned both ways, one each
+/// is kept. A shell within a shell that faces it is a cavity; one that does not is hidden, and
+/// dropped. Where closed parts cross, the solid is their union: its surface keeps the hidden
+/// triangles, and the integrals are those of the union filled on a grid, marked approximate. Parts
+/// that only touch keep their exact integrals.
 ///
 /// Throws lod::Error: input refused, with the counts of bad edges and the place of the first, where
 /// the mesh does not bound a solid of positive volume.

@@ -132,6 +132,71 @@ TEST_CASE("a shell that faces its hull is a cavity, also when all is inside-out"
     CHECK(MeshDistance(turned.mesh).inside(Point(0.4, 0, 0)));
 }
 
+TEST_CASE("a shell that does not face its hull adds nothing, also when all is inside-out",
+          "[solid]") {
+    for (const bool turned : {false, true}) {
+        CAPTURE(turned);
+        Mesh full = made("box:1,1,1");
+        append(full, made("box:1,1,1"), {0.1, 0, 0}, 0.5);
+        append(full, made("box:1,1,1"), {3, 0, 0});
+        if (turned) flip(full);
+        const Solid solid = make_solid("it", full);
+        CHECK(solid.volume == Approx(2).epsilon(1e-14));
+        CHECK(solid.centroid.isApprox(Point(1.5, 0, 0), 1e-14));
+        CHECK_FALSE(solid.approximate);
+        REQUIRE(solid.mended.size() == (turned ? 2 : 1));
+        CHECK_THAT(solid.mended.back(), lodtest::contains("dropped 1 part of 3"));
+        if (turned) CHECK_THAT(solid.mended[0], lodtest::contains("turned 3 parts of 3"));
+    }
+}
+
+TEST_CASE("a cavity that touches the hull from within, by a face or three, stays exact",
+          "[solid]") {
+    for (const Point& at : {Point(0.25, 0, 0), Point(0.25, -0.25, 0), Point(0.25, 0.25, -0.25)}) {
+        CAPTURE(at);
+        Mesh hollow = made("box:1,1,1");
+        Mesh inner = made("box:1,1,1");
+        flip(inner);
+        append(hollow, inner, at, 0.5);
+        const Solid solid = make_solid("it", hollow);
+        CHECK(solid.volume == Approx(1 - 0.125).epsilon(1e-14));
+        CHECK_FALSE(solid.approximate);
+        const MeshDistance distance(solid.mesh, solid.inside_rule);
+        CHECK_FALSE(distance.inside(at - solid.centroid));
+        CHECK(distance.inside(Point(-0.4, 0.1, 0.1) - solid.centroid));
+    }
+}
+
+TEST_CASE("a plate may be as thin as its numbers, and none is filled unasked", "[solid]") {
+    for (const double thickness : {1e-3, 4e-7, 1e-9})
+        for (const bool turned : {false, true}) {
+            CAPTURE(thickness, turned);
+            Mesh plate = made("box:2,3,1");
+            for (Point& p : plate.vertices) p.z() *= thickness;
+            if (turned) flip(plate);
+            const Solid solid = make_solid("it", plate);
+            CHECK(solid.volume == Approx(6 * thickness).epsilon(1e-9));
+            CHECK_FALSE(solid.approximate);
+            CHECK(solid.mended.size() == (turned ? 1 : 0));
+        }
+}
+
+TEST_CASE("a double-sided part beside another counts once", "[solid]") {
+    Mesh two = made("box:1,1,1");
+    for (const Triangle& t : made("box:1,1,1").triangles)
+        two.triangles.push_back({t[0], t[2], t[1]});
+    append(two, made("box:1,1,1"), {3, 0, 0});
+    Mesh sheet{{{9, 0, 0}, {9, 1, 0}, {9, 0, 1}}, {{0, 1, 2}, {0, 2, 1}}};
+    append(two, sheet, Point::Zero());
+    const Solid solid = make_solid("it", two);
+    CHECK(solid.volume == Approx(2).epsilon(1e-14));
+    CHECK(solid.centroid.isApprox(Point(1.5, 0, 0), 1e-14));
+    CHECK_FALSE(solid.approximate);
+    REQUIRE(solid.mended.size() == 2);
+    CHECK_THAT(solid.mended[0], lodtest::contains("dropped 2 triangles that lie back to back"));
+    CHECK_THAT(solid.mended[1], lodtest::contains("dropped 12 triangles that doubled others"));
+}
+
 TEST_CASE("overlapping parts count once, and the integrals are marked", "[solid]") {
     Mesh two = made("box:1,1,1");
     append(two, made("box:1,1,1"), {0.5, 0.1, 0});
