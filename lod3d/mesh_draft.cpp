@@ -50,6 +50,7 @@ void MeshDraft::add_vertex(const Point& p, std::uint64_t place) {
 
 void MeshDraft::note_digits(std::string_view word, double value) {
     const double size = std::abs(value);
+    if (!has_fractions_) has_fractions_ = word.find_first_of(".,eE") != std::string_view::npos;
     if (!(size > 0) || !std::isfinite(size) || 2 * size < largest_) return;
     const WrittenDigits digits = digits_of(word);
     const bool first = size > 2 * largest_;
@@ -59,11 +60,12 @@ void MeshDraft::note_digits(std::string_view word, double value) {
 }
 
 /// The step between written coordinates next to each other [m]. 0 where it is fine enough for the
-/// mesh, and where few digits seem to be meant: a program that rounds writes six and more.
+/// mesh, and where few digits seem to be meant: a program that rounds writes six and more, and a
+/// text of whole numbers alone is one of a grid.
 double MeshDraft::written_step(const Mesh& mesh) const {
     constexpr int rounded = 6;
     constexpr double fine = 1e-6;  // of the size
-    if (significant_ < rounded) return 0;
+    if (significant_ < rounded || !has_fractions_) return 0;
     double step = 1;
     for (int i = std::min(decimals_, 40); i > 0; --i) step /= 10;
     for (int i = std::max(decimals_, -40); i < 0; ++i) step *= 10;

@@ -78,6 +78,7 @@ class MeshDraft {
     double largest_ = 0;  ///< of the coordinates noted
     int significant_ = 0;
     int decimals_ = 0;
+    bool has_fractions_ = false;  ///< some coordinate is no plain whole number
 };
 
 }  // namespace lod3d

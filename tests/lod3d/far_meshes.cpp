@@ -114,6 +114,23 @@ TEST_CASE("a text that writes few digits far away is said to hold few", "[far]")
     CHECK(read_mesh(folder.write("few.obj", all_digits(meant, "obj", 17))).remarks.empty());
 }
 
+TEST_CASE("whole numbers far away are exact, those that %g rounded to whole ones are not",
+          "[far]") {
+    const Folder folder;
+    const auto remarks = [&](const std::string& first) {
+        std::string text = "v " + first + " 0 0\n";
+        for (const char* rest : {"1000002 0 0", "1000000 3 0", "1000002 3 0", "1000000 0 4",
+                                 "1000002 0 4", "1000000 3 4", "1000002 3 4"})
+            text += "v " + std::string(rest) + "\n";
+        return read_mesh(folder.write("whole.obj", text + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\n"
+                                                          "f 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"))
+            .remarks;
+    };
+    CHECK(remarks("1000000").empty());
+    REQUIRE(remarks("1e+06").size() == 1);
+    CHECK_THAT(remarks("1e+06")[0], contains("are 1 m apart"));
+}
+
 TEST_CASE("what assimp reads is said to be in 32-bit numbers", "[far]") {
     const Folder folder;
     const FileMesh file = read_mesh(folder.write("gltf", turned_cube(0)));
