@@ -15,7 +15,7 @@ struct TypeName {
     PlyType type;
 };
 
-constexpr std::array<TypeName, 16> type_names{{{"char", PlyType::int8},
+constexpr std::array<TypeName, 18> type_names{{{"char", PlyType::int8},
                                                {"int8", PlyType::int8},
                                                {"uchar", PlyType::uint8},
                                                {"uint8", PlyType::uint8},
@@ -27,6 +27,8 @@ constexpr std::array<TypeName, 16> type_names{{{"char", PlyType::int8},
                                                {"int32", PlyType::int32},
                                                {"uint", PlyType::uint32},
                                                {"uint32", PlyType::uint32},
+                                               {"int64", PlyType::int64},
+                                               {"uint64", PlyType::uint64},
                                                {"float", PlyType::float32},
                                                {"float32", PlyType::float32},
                                                {"double", PlyType::float64},
@@ -114,8 +116,9 @@ class HeaderReader {
     PlyType type_in(std::string_view word) const {
         const auto found = std::ranges::find(type_names, word, &TypeName::name);
         if (found == type_names.end())
-            refuse_line("a property has the type " + in_quotes(word) +
-                        "; PLY has char to double and int8 to float64");
+            refuse_line(
+                "a property has the type " + in_quotes(word) +
+                "; PLY has char to double and int8 to float64, some programs int64 and uint64");
         return found->type;
     }
 
@@ -176,6 +179,8 @@ std::size_t size_of(PlyType type) {
         case PlyType::uint32:
         case PlyType::float32:
             return 4;
+        case PlyType::int64:
+        case PlyType::uint64:
         case PlyType::float64:
             return 8;
     }

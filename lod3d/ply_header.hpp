@@ -9,8 +9,21 @@
 
 namespace lod3d {
 
-/// The types of PLY's numbers. Each fits into a double without loss.
-enum class PlyType { none, int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+/// The types of PLY's numbers, and the whole ones of 64 bits that some programs add. Each fits into
+/// a double without loss, those up to 2^53.
+enum class PlyType {
+    none,
+    int8,
+    uint8,
+    int16,
+    uint16,
+    int32,
+    uint32,
+    int64,
+    uint64,
+    float32,
+    float64
+};
 [[nodiscard]] std::size_t size_of(PlyType type);  ///< [bytes]
 
 struct PlyProperty {

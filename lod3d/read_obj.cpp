@@ -30,6 +30,7 @@ class ObjReader {
     std::string_view argument() {
         for (;;) {
             std::string_view word = words_.next_on_line();
+            if (word.ends_with(';')) return last(word);
             if (!word.ends_with('\\')) return word;
             TextWords rest = words_;
             if (!rest.next_on_line().empty()) return word;
@@ -37,6 +38,16 @@ class ObjReader {
             word.remove_suffix(1);
             if (!word.empty()) return word;
         }
+    }
+
+    /// Of a word at the end of a statement what stands before its semicolon.
+    std::string_view last(std::string_view word) {
+        TextWords rest = words_;
+        if (const std::string_view more = rest.next_on_line(); !more.empty())
+            draft_.refuse_at(words_.line(), "has " + in_quotes(more) +
+                                                " after a semicolon; begin a new line there");
+        word.remove_suffix(1);
+        return word;
     }
 
     void vertex() {

@@ -47,6 +47,10 @@ class PlyValues {
                 return binary_number<std::int32_t>(bytes_, at, order);
             case PlyType::uint32:
                 return binary_number<std::uint32_t>(bytes_, at, order);
+            case PlyType::int64:
+                return static_cast<double>(binary_number<std::int64_t>(bytes_, at, order));
+            case PlyType::uint64:
+                return static_cast<double>(binary_number<std::uint64_t>(bytes_, at, order));
             case PlyType::float32:
                 return binary_number<float>(bytes_, at, order);
             case PlyType::float64:

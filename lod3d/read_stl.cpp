@@ -116,6 +116,8 @@ class StlTextReader {
                 vertex();
             else if (is_word(word, "endfacet"))
                 end_facet();
+            else if (is_word(word, "end"))
+                end();
         }
         if (in_facet_)
             draft_.refuse_at(facet_line_, "the file ends within this facet; is it cut short?");
@@ -136,6 +138,16 @@ class StlTextReader {
             words_ = here;
             return;
         }
+    }
+
+    /// In two words: "end facet", "end loop", "end solid".
+    void end() {
+        TextWords rest = words_;
+        const std::string_view what = rest.next_on_line();
+        if (is_word(what, "solid")) return words_.skip_line();
+        if (!is_word(what, "facet") && !is_word(what, "loop")) return;
+        words_ = rest;
+        if (is_word(what, "facet")) end_facet();
     }
 
     void begin_facet() {
