@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "cli/check_outputs.hpp"
 #include "cli/command.hpp"
@@ -89,7 +90,7 @@ viz::Figure projected(const viz::Actor<3>& a, const viz::Actor<3>& b,
 }
 viz::Figure projected(const viz::Actor<2>&, const viz::Actor<2>&, const lod::FrameRecord<2>&,
                       const lod::PairRecord&) {
-    throw lod::Error(lod::ErrorKind::usage, "the scene lies in a plane already; drop --projected");
+    throw std::logic_error("the plane has no projection");
 }
 
 /// The traversal of the pair that took the most tests, or the projection of the one with the most
@@ -133,6 +134,9 @@ void collide(const scenes::Scene& scene, const Options& options) {
 
 void run_collide(const Options& options) {
     const scenes::Scene scene = scene_of(options);
+    if (options.projected && scene.dim == 2)
+        throw lod::Error(lod::ErrorKind::usage,
+                         "the scene lies in a plane already; drop --projected");
     check_outputs(options, {});
     in_dimension(scene.dim, [&](auto dim) { collide<dim()>(scene, options); });
 }

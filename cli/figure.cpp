@@ -1,4 +1,5 @@
 #include <array>
+#include <filesystem>
 #include <memory>
 
 #include "cli/check_outputs.hpp"
@@ -206,6 +207,10 @@ void run_figure(const Options& options) {
         Options named = options;
         if (named.out.empty()) {
             named.out = {"figure-" + std::to_string(figure.number) + ".png"};
+            if (std::filesystem::exists(std::filesystem::symlink_status(named.out.front())))
+                throw lod::Error(lod::ErrorKind::usage,
+                                 named.out.front() + " is there already; give --out " +
+                                     named.out.front() + " to replace it, or another name");
             remark("writing " + named.out.front() + "; name other files by --out");
         }
         check_outputs(named, {.video = figure.has_video});

@@ -10,6 +10,8 @@ namespace cli {
 /// What the command line said: one field for each row of the table of options (parse.cpp), shared
 /// by all commands. A command reads the fields of the options that it takes.
 struct Options {
+    std::vector<std::string> given;  ///< the names of those that stood there: "--depth", "SHAPE"
+
     std::string shape;          ///< a file, text:R, or a generator
     std::string scene;          ///< a file, or the name of a scene that comes with lodlab
     std::optional<int> number;  ///< of a figure or a lesson

@@ -2,10 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
+#include "cli/check_options.hpp"
 #include "cli/output.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/from_chars.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/spelling.hpp"
 
@@ -33,14 +36,26 @@ CLI::Validator name_of_a() {
     return one_of({names.begin(), names.end()});
 }
 
-/// CLI11's own range lets "nan" pass.
+/// The number that a word is in decimal digits. C's functions, and so CLI11, take 010 for eight,
+/// 0x10 for sixteen, and "nan".
+std::optional<double> decimal_in(std::string_view word) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    const std::string_view digits = word.substr(word.starts_with('-') ? 1 : 0);
+    const bool octal =
+        digits.size() > 1 && digits[0] == '0' && digits[1] >= '0' && digits[1] <= '9';
+    if (octal || word.find_first_not_of("0123456789.eE+-") != std::string_view::npos) return {};
+    double number = 0;
+    const auto [end, error] = lod::from_chars(word.data(), word.data() + word.size(), number);
+    if (error != std::errc() || end != word.data() + word.size()) return {};
+    return number;
+}
+
 CLI::Validator range(double low, double high) {
     return CLI::Validator(
         [low, high](std::string& word) -> std::string {
-            double number = 0;
-            const bool understood = CLI::detail::lexical_cast(word, number);
-            if (understood && number >= low && number <= high) return {};
-            return "must be a number between " + readable(low) + " and " + readable(high) +
+            const auto number = decimal_in(word);
+            if (number && *number >= low && *number <= high) return {};
+            return "must be a decimal number between " + readable(low) + " and " + readable(high) +
                    ", not " + word;
         },
         "");
@@ -53,14 +68,16 @@ struct Row {
 };
 
 constexpr double most_tests = 2'000'000'000;
+constexpr double most_pages = 1000;                          // of figures and lessons
+constexpr double most_seeds = 18'446'744'073'709'549'568.0;  // the last double below 2^64
 
 // clang-format off
 const Row rows[] = {
     {"SHAPE", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg, svgz; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9")->required(); }},
     {"[SHAPE]", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg, svgz; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9"); }},
     {"SCENE", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), or the name of a scene that comes with lodlab")->required(); }},
-    {"FIGURE", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the figure in the paper")->required(); }},
-    {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the lesson; without it the lessons are listed"); }},
+    {"FIGURE", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the figure in the paper")->check(range(0, most_pages))->required(); }},
+    {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the lesson; without it the lessons are listed")->check(range(0, most_pages)); }},
     {"--list", [](CLI::App& a, Options& o) { a.add_flag("--list", o.list, "list generators and builders"); }},
     {"--size", [](CLI::App& a, Options& o) { a.add_option("--size", o.size, "longest side of the shape's box [m]")->check(range(1e-6, 1e6)); }},
     {"--builder", [](CLI::App& a, Options& o) { a.add_option("--builder", o.builder, "builder of the tree; tree --list names them"); }},
@@ -86,7 +103,7 @@ const Row rows[] = {
     {"--point-model", [](CLI::App& a, Options& o) { a.add_option("--point-model", o.point_model, "where two circles touch")->check(name_of_a<lod::PointModel>()); }},
     {"--shapes", [](CLI::App& a, Options& o) { a.add_option("--shapes", o.shapes, "shapes that meet, parted by commas: files or generators")->type_name("SHAPE,..."); }},
     {"--impacts", [](CLI::App& a, Options& o) { a.add_option("--impacts", o.impacts, "how many impacts; without it 200")->check(range(1, 1e7)); }},
-    {"--seed", [](CLI::App& a, Options& o) { a.add_option("--seed", o.seed, "of the random impacts")->capture_default_str(); }},
+    {"--seed", [](CLI::App& a, Options& o) { a.add_option("--seed", o.seed, "of the random impacts")->check(range(0, most_seeds))->capture_default_str(); }},
     {"--models", [](CLI::App& a, Options& o) { a.add_option("--models", o.models, "contact models, parted by commas; without it all")->type_name("MODEL,..."); }},
     {"--responses", [](CLI::App& a, Options& o) { a.add_option("--responses", o.responses, "responses, parted by commas; without it net")->type_name("RESPONSE,..."); }},
     {"--share", [](CLI::App& a, Options& o) { a.add_option("--share", o.share, "do one share of the impacts only, as in 3/8")->type_name("I/N")->capture_default_str(); }},
@@ -149,6 +166,25 @@ void check_spelling(int argc, const char* const* argv) {
     }
 }
 
+/// CLI11 lets a flag have a value, and takes most for "yes".
+void check_flags(int argc, const char* const* argv, const CLI::App& command) {
+    for (int i = 2; i < argc; ++i) {
+        const std::string word = argv[i];
+        const std::size_t equals = word.find('=');
+        if (!word.starts_with("--") || equals == std::string::npos) continue;
+        const CLI::Option* option = command.get_option_no_throw(word.substr(0, equals));
+        if (option != nullptr && option->get_items_expected_max() == 0)
+            misused(option->get_name() + " takes no value; write it alone");
+    }
+}
+
+std::vector<std::string> given_of(const CLI::App& command) {
+    std::vector<std::string> given;
+    for (const CLI::Option* option : command.get_options())
+        if (option->count() > 0) given.push_back(option->get_name());
+    return given;
+}
+
 std::string one_line(std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
@@ -184,7 +220,11 @@ Parsed parse(int argc, const char* const* argv) {
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
         sub->footer("Example: " + std::string(command.example));
         add_options(command, *sub, parsed.options);
-        sub->callback([&parsed, &command] { parsed.command = &command; });
+        sub->callback([&parsed, &command, sub] {
+            parsed.command = &command;
+            parsed.options.given = given_of(*sub);
+        });
+        if (command.name == argv[1]) check_flags(argc, argv, *sub);
     }
     try {
         app.parse(argc, argv);
@@ -196,6 +236,7 @@ Parsed parse(int argc, const char* const* argv) {
         const std::string of = argv[1][0] != '-' ? std::string(argv[1]) + " " : "";
         misused(one_line(error.what()) + "; lodlab " + of + "--help shows how");
     }
+    if (parsed.command) check_options(*parsed.command, parsed.options);
     return parsed;
 }
 

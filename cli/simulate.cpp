@@ -72,17 +72,6 @@ std::string report_of(const scenes::Scene& scene, const scenes::Run<Dim>& run,
     return text;
 }
 
-void check_replay(const Options& options) {
-    const bool other = options.level || options.budget || options.milliseconds ||
-                       options.duration || !options.response.empty() ||
-                       !options.point_model.empty() || !options.contact_model.empty() ||
-                       !options.finest.empty() || !options.sweep.empty();
-    if (!options.replay.empty() && other)
-        throw lod::Error(lod::ErrorKind::usage,
-                         "a replay takes its limit, duration and models from the trace; drop "
-                         "the other options");
-}
-
 template <int Dim>
 void simulate(const scenes::Scene& scene, const Options& options) {
     std::optional<scenes::Trace> trace;  // read before the trees are built
@@ -103,7 +92,6 @@ void simulate(const scenes::Scene& scene, const Options& options) {
 }  // namespace
 
 void run_simulate(const Options& options) {
-    check_replay(options);
     const scenes::Scene scene = scene_of(options);
     check_outputs(options, {.video = true});
     in_dimension(scene.dim, [&](auto dim) { simulate<dim()>(scene, options); });

@@ -43,6 +43,7 @@ PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice
                              std::string(words.files) + "), a mesh (" +
                              std::string(SpaceShapes::words.files) +
                              "), text:R, or a generator: " + names_of_generators());
+    check_drawing_choice(spec, choice);
     lod2d::LoadSettings settings;
     settings.strokes = choice.strokes;
     settings.strict = choice.strict;
@@ -80,9 +81,7 @@ PlaneShapes::Settings PlaneShapes::settings(const TreeChoice& choice) {
     if (choice.depth) settings.depth = *choice.depth;
     if (choice.error) settings.least_protrusion = *choice.error;
     if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
-    if (choice.effort)
-        throw lod::Error(lod::ErrorKind::usage,
-                         "only the builder cover of sphere trees has an effort; drop it");
+    check_effort(choice, false);
     return settings;
 }
 

@@ -33,6 +33,9 @@ struct ShapeChoice {
     bool page = false;        ///< of drawings: stretched and cut off by the page, as in a browser
 };
 
+/// Throws lod::Error (usage) where what only drawings have is chosen for something else.
+void check_drawing_choice(const std::string& spec, const ShapeChoice& choice);
+
 /// How a tree is asked for; the builders' defaults where nothing is said.
 struct TreeChoice {
     std::string builder;
@@ -47,6 +50,10 @@ struct TreeChoice {
 
     friend auto operator<=>(const TreeChoice&, const TreeChoice&) = default;
 };
+
+/// Throws lod::Error (usage) where an effort is chosen for another builder than the one that has
+/// it.
+void check_effort(const TreeChoice& choice, bool has_effort);
 
 /// What a dimension calls its things, for reports.
 struct Words {

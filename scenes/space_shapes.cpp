@@ -59,10 +59,7 @@ bool any_inside(const SpaceShapes::Border& a, const lod::Body<3>& body_a,
 }  // namespace
 
 SpaceShapes::Shape SpaceShapes::named(const std::string& spec, const ShapeChoice& choice) {
-    if (choice.strokes || choice.page || choice.strict)
-        throw lod::Error(lod::ErrorKind::usage,
-                         "only drawings have strokes and a page, and may be taken strictly; " +
-                             spec + " is none: drop the option");
+    check_drawing_choice(spec, choice);
     lod3d::FileMesh file = mesh_of(spec, choice.raise_limits);
     const std::string name =
         is_generator(spec) ? spec : std::filesystem::path(spec).stem().string();
@@ -91,6 +88,7 @@ SpaceShapes::Settings SpaceShapes::settings(const TreeChoice& choice) {
     if (choice.depth) settings.depth = *choice.depth;
     if (choice.error) settings.least_protrusion = *choice.error;
     if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
+    check_effort(choice, settings.builder == lod3d::SolidBuilder::cover);
     if (choice.effort) settings.effort = *choice.effort;
     return settings;
 }

@@ -104,6 +104,15 @@ TEST_CASE("a file that a mesh or a drawing names is not replaced") {
                "the input p.svg names it", picture, "a picture");
 }
 
+TEST_CASE("a figure that nobody named replaces no file") {
+    const Scratch scratch;
+    const std::string file = scratch.write("figure-4.png", "mine");
+    check_kept(lodlab({"figure", "4"}, in(scratch)), "--out figure-4.png to replace it", file,
+               "mine");
+    CHECK(lodlab({"figure", "4", "--out", "figure-4.png"}, in(scratch)).code == 0);
+    CHECK(content(file) != "mine");
+}
+
 TEST_CASE("two outputs in one file are refused before either is written") {
     const Scratch scratch;
     fs::create_symlink(".", scratch.path() / "here");

@@ -58,6 +58,50 @@ TEST_CASE("a command line that is not understood ends in one line and code 2") {
     check_misuse({"tree", "gear:9", "--size", "0"}, "--size");
 }
 
+TEST_CASE("numbers are decimal, and what is none is refused") {
+    for (const char* number : {"0x1", "010", "1_000", "1e999", "nan", ""}) {
+        CAPTURE(number);
+        check_misuse({"tree", "gear:9", "--depth", number}, "--depth");
+        check_misuse({"simulate", "offset_boxes", "--budget", number}, "--budget");
+        check_misuse({"simulate", "offset_boxes", "--duration", number}, "--duration");
+        check_misuse({"degrade", "--seed", number}, "--seed");
+    }
+    for (const char* number : {"-1", "1.5", "18446744073709551616"})
+        check_misuse({"degrade", "--seed", number}, "--seed");
+    check_misuse({"figure", "0x9"}, "N");
+    check_misuse({"lesson", "03"}, "N");
+    CHECK(lodlab({"tree", "box", "--depth", "+1", "--size", ".5e0"}).code == 0);
+}
+
+TEST_CASE("a flag takes no value") {
+    for (const char* flag : {"--json=3", "--json=true", "--json=false", "--json="})
+        check_misuse({"doctor", flag}, "--json takes no value; write it alone");
+}
+
+TEST_CASE("an option that means nothing beside others, or without another, is refused") {
+    check_misuse({"tree", "--list", "--out", "a.png"},
+                 "--list only prints what there is; drop --out");
+    check_misuse({"tree", "box", "--list"}, "drop SHAPE");
+    check_misuse({"degrade", "--merge", "a.json", "--impacts", "3"},
+                 "--merge takes the rest from the shares; drop --impacts");
+    check_misuse({"degrade", "--merge", "a.json", "--share", "1/1"}, "drop --share");
+    check_misuse({"simulate", "offset_boxes", "--strip", "--plot", "--out", "a.png"},
+                 "--strip and --plot");
+    for (const char* flag : {"--strip", "--plot"}) {
+        check_misuse({"simulate", "offset_boxes", flag}, "add --out FILE.png");
+        check_misuse({"simulate", "offset_boxes", flag, "--out", "a.mp4"}, "add --out FILE.png");
+    }
+    check_misuse({"collide", "near_miss_in_space", "--projected"}, "add --out FILE.png");
+    check_misuse({"collide", "offset_boxes", "--projected", "--out", "a.png"}, "drop --projected");
+    check_misuse({"tree", "knot", "--level", "1", "--out", "a.png"}, "add --out FILE.urdf");
+    check_misuse({"tree", "knot", "--builder", "octree", "--effort", "1"},
+                 "has an effort; drop it");
+    check_misuse({"lesson", "--out", "pictures"}, "lodlab lesson 3");
+    for (const char* option : {"--page", "--strict", "--strokes"})
+        for (const char* shape : {"gear:9", "text:R", "knot"})
+            check_misuse({"tree", shape, option}, std::string(shape) + " is none: drop the option");
+}
+
 TEST_CASE("an ending that no format has is refused before any work") {
     check_misuse({"simulate", "offset_boxes", "--out", "a.doc"}, "a.doc");
     check_misuse({"tree", "gear:9", "--out", "a.mp4"}, "a.mp4");

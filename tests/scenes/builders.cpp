@@ -13,7 +13,9 @@ void add_trees(const std::vector<std::string>& specs, std::optional<double> effo
     using Shapes = scenes::Shapes<Dim>;
     for (const std::string& spec : specs)
         for (const std::string_view builder : Shapes::builders()) {
-            const auto settings = Shapes::settings({std::string(builder), {}, 2, {}, {}, effort});
+            scenes::TreeChoice choice{std::string(builder), {}, 2, {}, {}, {}};
+            if (builder == "cover") choice.effort = effort;
+            const auto settings = Shapes::settings(choice);
             const auto tree = Shapes::build(Shapes::named(spec, {}), settings);
             version.add(std::string_view(scenes::hexadecimal(lod::tree_hash(tree))));
         }
