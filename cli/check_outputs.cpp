@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "lodlab/core/base/ending.hpp"
+#include "cli/named_files.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/output_file.hpp"
 #include "lodlab/scenes/places.hpp"
@@ -85,20 +85,6 @@ std::vector<fs::path> inputs_of(const Options& options) {
     for (const std::string& shape : shapes)
         if (const auto file = file_of_shape(shape)) inputs.push_back(*file);
     return inputs;
-}
-
-/// Whether a mesh or a drawing holds the name of a file in its folder or below: a buffer, a
-/// texture.
-bool names_file(const fs::path& input, const fs::path& output) {
-    constexpr std::size_t most_bytes = std::size_t{1} << 30;
-    const std::string ending = lod::ending_of(input);
-    if (ending != "gltf" && ending != "glb" && ending != "obj" && ending != "svg") return false;
-    std::error_code ignored;
-    const fs::path folder = fs::canonical(input, ignored).parent_path();
-    const fs::path inside = output.lexically_relative(folder);
-    if (inside.empty() || *inside.begin() == ".." || !fs::exists(output, ignored)) return false;
-    return lod::read_text_file(input, most_bytes).find(output.filename().string()) !=
-           std::string::npos;
 }
 
 /// Whether the file came with lodlab; without the folder, none did.

@@ -96,12 +96,51 @@ TEST_CASE("neither a trace that is played again nor a share that is merged is re
                "it is the input d1.json", scratch / "d1.json", first);
 }
 
-TEST_CASE("a file that a mesh or a drawing names is not replaced") {
-    const Scratch scratch;
-    const std::string picture = scratch.write("wood.png", "a picture");
-    scratch.write("p.svg", "<svg><image href='wood.png'/><rect width='4' height='2'/></svg>");
-    check_kept(lodlab({"tree", "p.svg", "--depth", "1", "--out", "wood.png"}, in(scratch)),
-               "the input p.svg names it", picture, "a picture");
+TEST_CASE("a file that a mesh or a drawing names is not replaced, however it is spelt") {
+    const std::string rect = "<rect width='4' height='2'/>";
+    const std::string corner = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
+    const std::string faces = corner + "f 2 3 4\n";
+    struct Naming {
+        std::string input;
+        std::string text;
+        std::string output;
+    };
+    const std::vector<Naming> cases{
+        {"p.svg", "<svg><image href='wood.png'/>" + rect + "</svg>", "wood.png"},
+        {"p.svg", "<svg><image href='a%20wood.png'/>" + rect + "</svg>", "a wood.png"},
+        {"p.svg", "<svg><image href='b&amp;w&#x2e;png'/>" + rect + "</svg>", "b&w.png"},
+        {"p.svg", "<svg><style>a{fill:url( sub/../wood.png)}</style>" + rect + "</svg>",
+         "wood.png"},
+        {"p.svg", "<svg><image href='link.png'/>" + rect + "</svg>", "wood.png"},
+        {"m.gltf", R"({"buffers":[{"uri":"\u0077ood.png"}]})", "wood.png"},
+        {"m.gltf", R"({"images":[{"uri":"sub\/..\/a%20wood.png"}]})", "a wood.png"},
+        {"m.gltf", R"({"images":[{"uri":"hard.png"}]})", "wood.png"},
+        {"m.obj", "mtllib m.mtl\n" + faces, "m.mtl"},
+        {"m.obj", "mtllib my own.mtl\n" + faces, "my own.mtl"},
+        {"m.obj", "MTLLIB a.mtl link.mtl\n" + faces, "m.mtl"},
+        {"m.obj", "mtllib m.mtl\n" + faces, "sub/oak.png"},
+        {"m.obj", "mtllib m.mtl\n" + faces, "a wood.png"},
+        {"m.ply", "ply\ncomment TextureFile link.png\nend_header\n", "wood.png"},
+    };
+    for (const Naming& one : cases) {
+        CAPTURE(one.text, one.output);
+        const Scratch scratch;
+        fs::create_directory(scratch.path() / "sub");
+        fs::create_symlink("wood.png", scratch.path() / "link.png");
+        fs::create_symlink("m.mtl", scratch.path() / "link.mtl");
+        for (const char* name : {"wood.png", "a wood.png", "b&w.png", "sub/oak.png", "my own.mtl"})
+            scratch.write(name, "mine");
+        scratch.write("m.mtl", "newmtl a\n  map_Kd -s 1 1 1 sub\\oak.png\nbump a wood.png\n");
+        fs::create_hard_link(scratch.path() / "wood.png", scratch.path() / "hard.png");
+        scratch.write(one.input, one.text);
+        const std::string before = content(scratch / one.output);
+        // A trace may have any name; a picture cannot be called m.mtl.
+        const std::string toml = scratch.write(
+            "s.toml", "dim = " + std::string(one.input == "p.svg" ? "2" : "3") +
+                          "\n[[body]]\nshape = \"" + one.input + "\"\n[[body]]\nshape = \"box\"\n");
+        check_kept(lodlab({"simulate", "s.toml", "--trace", one.output}, in(scratch)), "names it",
+                   scratch / one.output, before);
+    }
 }
 
 TEST_CASE("a figure that nobody named replaces no file") {
