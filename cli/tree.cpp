@@ -110,6 +110,9 @@ void add_sphere_exports(const lod3d::Solid& solid, const lod::SphereTree<3>& tre
     exports.push_back({".urdf", [&](const std::string& path) {
                            const int last = tree.levels() - 1;
                            const int level = std::min(options.level.value_or(last), last);
+                           if (options.level && *options.level > last)
+                               remark("the tree ends at level " + std::to_string(last) + ", so " +
+                                      path + " holds that; --depth asks for more levels");
                            lod::write_text_file(path, lod3d::spheres_to_urdf(tree, solid.centroid,
                                                                              level, solid.name));
                        }});

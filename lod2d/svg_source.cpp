@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/utf8.hpp"
 
 namespace lod2d {
 namespace {
@@ -90,28 +91,13 @@ std::string declared_encoding(std::string_view text) {
     return name;
 }
 
-/// The length of the UTF-8 sequence at `i`; 0 where there is none.
-std::size_t sequence_at(std::string_view text, std::size_t i) {
-    const auto byte = [&](std::size_t k) { return static_cast<std::uint8_t>(text[k]); };
-    const std::uint8_t lead = byte(i);
-    const std::size_t length = lead < 0x80                   ? 1
-                               : lead >= 0xC2 && lead < 0xE0 ? 2
-                               : lead >= 0xE0 && lead < 0xF0 ? 3
-                               : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                             : 0;
-    if (length == 0 || i + length > text.size()) return 0;
-    for (std::size_t k = 1; k < length; ++k)
-        if ((byte(i + k) & 0xC0) != 0x80) return 0;
-    return length;
-}
-
 /// Bytes that are no UTF-8 are taken as Latin-1: of a drawing only its ASCII matters.
 std::string with_valid_utf8(std::string_view text) {
     const bool latin = declared_encoding(text).starts_with("iso-8859");
     std::string valid;
     valid.reserve(text.size());
     for (std::size_t i = 0; i < text.size();) {
-        const std::size_t length = latin ? (text[i] & 0x80 ? 0 : 1) : sequence_at(text, i);
+        const std::size_t length = latin ? (text[i] & 0x80 ? 0 : 1) : lod::utf8_length(text, i);
         if (length == 0)
             append_utf8(static_cast<std::uint8_t>(text[i]), valid);
         else

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string_view>
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/math/enclosing_ball.hpp"
+#include "lodlab/core/base/utf8.hpp"
 
 namespace lod3d {
 namespace {
@@ -33,17 +35,23 @@ std::string listed(const Point& p, const std::string& between) {
     return text_of(p.x()) + between + text_of(p.y()) + between + text_of(p.z());
 }
 
+/// In an attribute of XML. What is no UTF-8, or no letter of XML, becomes the sign for that.
 std::string escaped(const std::string& text) {
+    constexpr std::string_view unknown = "\xEF\xBF\xBD";
     std::string result;
-    for (const char c : text) {
-        if (c == '&')
+    for (std::size_t i = 0, length = 0; i < text.size(); i += std::max<std::size_t>(length, 1)) {
+        length = lod::utf8_length(text, i);
+        const std::string_view letter = std::string_view(text).substr(i, length);
+        const bool in_xml = length > 0 && (length > 1 || letter[0] >= ' ') &&
+                            letter != "\xEF\xBF\xBE" && letter != "\xEF\xBF\xBF";
+        if (letter == "&")
             result += "&amp;";
-        else if (c == '<')
+        else if (letter == "<")
             result += "&lt;";
-        else if (c == '"')
+        else if (letter == "\"")
             result += "&quot;";
         else
-            result += c;
+            result += in_xml ? letter : unknown;
     }
     return result;
 }

@@ -47,3 +47,19 @@ TEST_CASE("JSON and URDF list each level's spheres and the leaves above it", "[e
     CHECK_THAT(urdf, lodtest::contains("<sphere radius=\"1\"/>"));
     CHECK_THAT(urdf, !lodtest::contains("<sphere radius=\"4\"/>"));
 }
+
+TEST_CASE("a name that is no text, or has letters that XML has not, gives good XML", "[export]") {
+    const auto named = [](const std::string& name) {
+        const std::string urdf = spheres_to_urdf(small_tree(), Point::Zero(), 2, name);
+        const std::string begin = "<?xml version=\"1.0\"?>\n<robot name=\"";
+        REQUIRE(urdf.starts_with(begin));
+        return urdf.substr(begin.size(), urdf.find("\">\n") - begin.size());
+    };
+    const std::string unknown = "\xEF\xBF\xBD";
+    CHECK(named("b\xC3\xB6x \xF0\x9F\x8E\xB2") == "b\xC3\xB6x \xF0\x9F\x8E\xB2");
+    CHECK(named("n\xFF\xC3") == "n" + unknown + unknown);
+    CHECK(named("\x01\n&\"") == unknown + unknown + "&amp;&quot;");
+    CHECK(named("\xED\xA0\x80") == unknown + unknown + unknown);  // half of a pair
+    CHECK(named("\xC0\xAF") == unknown + unknown);               // longer than needed
+    CHECK(named("\xEF\xBF\xBF") == unknown);
+}
