@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 /// One file being checked.
 struct File {
-    const SceneFile& from;
+    SceneFile from;
     std::uint64_t size = 0;
     const ImportLimits& limits;
 
@@ -163,6 +163,103 @@ void check_positions(const File& file, const Json& json) {
         }
 }
 
+std::string from_base64(std::string_view text) {
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int held = 0;
+    for (const char c : text) {
+        const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
+                          : c >= 'a' && c <= 'z' ? c - 'a' + 26
+                          : c >= '0' && c <= '9' ? c - '0' + 52
+                          : c == '+'             ? 62
+                          : c == '/'             ? 63
+                                                 : -1;
+        if (value < 0) continue;
+        bits = bits << 6 | static_cast<std::uint32_t>(value);
+        held += 6;
+        if (held < 8) continue;
+        held -= 8;
+        bytes += static_cast<char>(bits >> held & 0xff);
+    }
+    return bytes;
+}
+
+/// The bytes of a buffer; none where they are not to be had, which the importer says.
+std::string bytes_of_buffer(const File& file, const Json& json, const Json& number) {
+    const Json& uri = member(entry(json, "buffers", number), "uri");
+    if (uri.is_string()) {
+        const auto& name = uri.get_ref<const std::string&>();
+        if (name.starts_with("data:"))
+            return from_base64(
+                std::string_view(name).substr(std::min(name.find(','), name.size())));
+        const fs::path folder = fs::absolute(file.from.path).parent_path();
+        const fs::path path = folder / name;
+        std::error_code none;
+        const fs::path inside =
+            fs::weakly_canonical(path, none).lexically_relative(fs::canonical(folder, none));
+        if (none || inside.empty() || *inside.begin() == "..") return {};  // stays closed
+        const File there{{path, name, ""}, fs::file_size(path, none), file.limits};
+        return none || there.size > file.limits.most_bytes ? "" : there.read(0, there.size);
+    }
+    const std::string head = file.read(0, 20);
+    if (!head.starts_with("glTF")) return {};
+    constexpr std::uint64_t chunk_head = 8;
+    const std::uint64_t after_json = 20 + std::uint64_t{binary_number<std::uint32_t>(head, 12)};
+    return file.read(after_json + chunk_head, file.size);
+}
+
+std::uint64_t whole_of(const Json& object, const char* name) {
+    const Json& value = member(object, name);
+    return value.is_number_unsigned() ? value.get<std::uint64_t>() : 0;
+}
+
+/// The largest of the whole numbers that an accessor has in these bytes; 0 where it has none there.
+std::uint64_t largest_of(const Json& accessor, const Json& view, std::string_view bytes) {
+    const std::uint64_t type = whole_of(accessor, "componentType");
+    const std::uint64_t size = type == 5121 ? 1 : type == 5123 ? 2 : type == 5125 ? 4 : 0;
+    if (size == 0) return 0;
+    const std::uint64_t stride = std::max(size, whole_of(view, "byteStride"));
+    const std::uint64_t count = whole_of(accessor, "count");
+    std::uint64_t largest = 0;
+    std::uint64_t at = whole_of(view, "byteOffset") + whole_of(accessor, "byteOffset");
+    for (std::uint64_t i = 0; i < count && size <= bytes.size() && at <= bytes.size() - size;
+         ++i, at += stride) {
+        if (i % 65536 == 0) lod::check_interrupted();
+        const std::uint64_t value = size == 1   ? binary_number<std::uint8_t>(bytes, at)
+                                    : size == 2 ? binary_number<std::uint16_t>(bytes, at)
+                                                : binary_number<std::uint32_t>(bytes, at);
+        largest = std::max(largest, value);
+    }
+    return largest;
+}
+
+/// The importer leaves out the triangles that name vertices which are not there, and says nothing.
+void check_indices(const File& file, const Json& json) {
+    Json loaded;
+    std::string bytes;
+    std::size_t number = 0;
+    for (const Json& mesh : member(json, "meshes")) {
+        for (const Json& primitive : member(mesh, "primitives")) {
+            const Json& accessor = entry(json, "accessors", member(primitive, "indices"));
+            const Json& view = entry(json, "bufferViews", member(accessor, "bufferView"));
+            const Json& buffer = member(view, "buffer");
+            if (buffer.is_null() || !member(accessor, "sparse").is_null()) continue;
+            if (buffer != loaded) bytes = bytes_of_buffer(file, json, buffer);
+            loaded = buffer;
+            const double vertices = count_of(
+                entry(json, "accessors", member(member(primitive, "attributes"), "POSITION")));
+            const std::uint64_t largest = largest_of(accessor, view, bytes);
+            if (largest > 0 && static_cast<double>(largest) >= vertices)
+                file.refuse("a face of mesh " + std::to_string(number) +
+                            " names the vertex index " + std::to_string(largest) +
+                            ", but there are " +
+                            std::to_string(static_cast<std::uint64_t>(vertices)) +
+                            " vertices, numbered from 0; mend the face");
+        }
+        ++number;
+    }
+}
+
 }  // namespace
 
 /// Every accessor's elements must fit into the buffers. A mesh counts for each node that shows it.
@@ -186,6 +283,7 @@ void check_gltf(const SceneFile& from, const ImportLimits& limits) {
     for (const Json& node : member(json, "nodes"))
         shown += triangles_of(json, entry(json, "meshes", member(node, "mesh")));
     file.check_triangles(std::max(triangles, shown));
+    check_indices(file, json);
 }
 
 }  // namespace lod3d

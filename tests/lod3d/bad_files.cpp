@@ -211,6 +211,38 @@ TEST_CASE("a glTF file that requires an extension not read is refused by its nam
                lodtest::contains("KHR_mesh_quantization"));
 }
 
+TEST_CASE("a vertex index beyond those of a glTF mesh is named, also in a file of its own",
+          "[bad_files]") {
+    const Folder folder;
+    Mesh astray = box();
+    astray.triangles.back()[1] = 8;
+    const std::string text = gltf(astray);
+    const std::string names = "a face of mesh 0 names the vertex index 8, but there are 8 vertices";
+    CHECK_THAT(outcome(folder.write("astray.gltf", text)), lodtest::contains(names));
+
+    std::string bytes;
+    for (const Point& p : astray.vertices)
+        for (int d = 0; d < 3; ++d) bytes += bytes_of(static_cast<float>(p[d]));
+    for (const Triangle& t : astray.triangles)
+        for (const std::int32_t v : t) bytes += bytes_of(static_cast<std::uint32_t>(v));
+    const std::size_t uri = text.find(",\"uri\"");
+    static_cast<void>(folder.write("astray.bin", bytes));
+    CHECK_THAT(
+        outcome(folder.write("astray.gltf", text.substr(0, uri) + ",\"uri\":\"astray.bin\"}]}")),
+        lodtest::contains(names));
+    std::string json = text.substr(0, uri) + "}]}";
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const auto length = [](std::size_t count) {
+        return bytes_of(static_cast<std::uint32_t>(count));
+    };
+    CHECK_THAT(outcome(folder.write("astray.glb",
+                                    "glTF" + length(2) + length(28 + json.size() + bytes.size()) +
+                                        length(json.size()) + "JSON" + json + length(bytes.size()) +
+                                        std::string("BIN\0", 4) + bytes)),
+               lodtest::contains(names));
+    CHECK(outcome(folder.write("good.gltf", gltf(box()))) == "accepted");
+}
+
 TEST_CASE("a part that a glTF scene places far away keeps its digits", "[bad_files]") {
     const Folder folder;
     std::string text = gltf(box());
