@@ -61,17 +61,37 @@ std::string describe(const BadEdges& bad, const Mesh& mesh, const Point& moved) 
     return text + ", the first from " + end(0) + " to " + end(1);
 }
 
-std::string why_no_volume(const Mesh& mesh, const Point& moved) {
+bool is_flat(const Mesh& mesh) {
     constexpr double flat = 1e-9;  // of the size
-    const double longest = bounding_box(mesh).size().maxCoeff();
     const auto [normal, corner] = widest_plane(mesh);
     double thickness = 0;
     for (const Point& p : mesh.vertices)
         thickness = std::max(thickness, std::abs(normal.dot(p - corner)));
-    if (thickness <= flat * longest)
-        return "the mesh bounds no volume: it is flat, all of it lies in one plane through " +
-               place_in_words(corner + moved) + "; give it a thickness";
-    return "the mesh bounds no volume, though it is not flat: its faces cross each other, or lie "
+    return thickness <= flat * bounding_box(mesh).size().maxCoeff();
+}
+
+bool bounds_volume(const Mesh& mesh) {
+    const Point origin = mesh.corner(0, 0);
+    double sum = 0;
+    double sum_of_sizes = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Point a = mesh.corner(t, 0) - origin;
+        const Point b = mesh.corner(t, 1) - origin;
+        const double volume = a.cross(b).dot(mesh.corner(t, 2) - origin);
+        sum += volume;
+        sum_of_sizes += std::abs(volume);
+    }
+    const double longest = bounding_box(mesh).size().maxCoeff();
+    return std::abs(sum) > 1e-9 * sum_of_sizes &&
+           sum_of_sizes > 1e-13 * longest * longest * longest;
+}
+
+std::string why_no_volume(const Mesh& mesh, const Point& moved, const std::string& what) {
+    if (is_flat(mesh))
+        return what + " bounds no volume: it is flat, all of it lies in one plane through " +
+               place_in_words(widest_plane(mesh).second + moved) + "; give it a thickness";
+    return what +
+           " bounds no volume, though it is not flat: its faces cross each other, or lie "
            "doubled on each other, so that what some enclose others take away; unite them, or "
            "divide the mesh where it crosses itself";
 }

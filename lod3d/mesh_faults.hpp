@@ -18,8 +18,16 @@ namespace lod3d {
 /// How many bad edges of each kind there are, and where the first is.
 [[nodiscard]] std::string describe(const BadEdges& bad, const Mesh& mesh, const Point& moved);
 
+/// Whether all of a mesh lies in one plane, to 1e-9 of its size.
+[[nodiscard]] bool is_flat(const Mesh& mesh);
+
+/// Whether a closed mesh, turned either way, bounds more volume than rounding leaves where what
+/// some faces enclose others take away. Requires: at least one triangle.
+[[nodiscard]] bool bounds_volume(const Mesh& mesh);
+
 /// Why a closed mesh bounds no volume: it is flat, or its surface crosses or doubles itself.
-[[nodiscard]] std::string why_no_volume(const Mesh& mesh, const Point& moved);
+[[nodiscard]] std::string why_no_volume(const Mesh& mesh, const Point& moved,
+                                        const std::string& what = "the mesh");
 
 /// Of the parts whose triangles are all there twice, turned both ways, as in a double-sided mesh,
 /// drops one of each two: the later one. Only where the others close, or all of the mesh is so.

@@ -104,6 +104,45 @@ std::vector<Sides> sides_of_parts(const Mesh& mesh, const Parts& parts) {
     return sides;
 }
 
+/// Drops flat parts, which bound nothing, and says so. Refuses a mesh of which another part bounds
+/// no volume, as where its faces are doubled: what it was meant to hold cannot be told.
+void check_parts(Mesh& mesh, const Point& moved, const std::string& source,
+                 std::vector<std::string>& mended) {
+    const Parts parts = find_parts(mesh);
+    if (parts.count == 1) return;
+    std::vector<Mesh> of_part(static_cast<std::size_t>(parts.count));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        of_part[static_cast<std::size_t>(parts.of_triangle[t])].triangles.push_back(
+            mesh.triangles[t]);
+    Mesh kept;
+    kept.vertices = mesh.vertices;
+    long flat = 0;
+    for (Mesh& part : of_part) {
+        const std::vector<Triangle> triangles = part.triangles;
+        for (Triangle& t : part.triangles)
+            for (std::int32_t& corner : t) {
+                part.vertices.push_back(mesh.vertices[static_cast<std::size_t>(corner)]);
+                corner = static_cast<std::int32_t>(part.vertices.size()) - 1;
+            }
+        const bool bounds = bounds_volume(part);
+        if (!bounds && !is_flat(part))
+            lod::refuse_input(
+                source,
+                why_no_volume(part, moved,
+                              "one of its " + std::to_string(parts.count) + " parts, which holds " +
+                                  place_in_words(part.vertices[0] + moved) + ","));
+        if (bounds)
+            kept.triangles.insert(kept.triangles.end(), triangles.begin(), triangles.end());
+        else
+            ++flat;
+    }
+    if (flat == 0 || flat == parts.count) return;
+    drop_unused_vertices(kept);
+    mesh = std::move(kept);
+    mended.emplace_back("dropped " + counted(flat, "part") + " of " + std::to_string(parts.count) +
+                        ", flat and so without a volume");
+}
+
 /// Turns the parts that are inside-out. Returns how many those are.
 long turn_parts(Mesh& mesh, const Parts& parts, const std::vector<Sides>& sides) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
@@ -235,6 +274,7 @@ Solid make_solid(std::string name, Mesh mesh, const SolidOptions& given) {
     solid.name = std::move(name);
     mend(mesh, moved, options, solid);
 
+    check_parts(mesh, moved, options.source, solid.mended);
     const PartsMeet meet = turn_outwards(mesh, solid.mended);
     Integrals of = integrate(mesh);
     const double longest = bounding_box(mesh).size().maxCoeff();

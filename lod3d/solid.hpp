@@ -38,9 +38,9 @@ struct SolidOptions {
 /// the box's longest side. Triangles that disagree with their neighbours and parts that are
 /// inside-out are turned; of a part whose triangles are all there twice, turned both ways, one each
 /// is kept. A shell within a shell that faces it is a cavity; one that does not is hidden, and
-/// dropped. Where closed parts cross, the solid is their union: its surface keeps the hidden
-/// triangles, and the integrals are those of the union filled on a grid, marked approximate. Parts
-/// that only touch keep their exact integrals.
+/// dropped, as a flat part is. Where closed parts cross, the solid is their union: its surface
+/// keeps the hidden triangles, and the integrals are those of the union filled on a grid, marked
+/// approximate. Parts that only touch keep their exact integrals.
 ///
 /// Throws lod::Error: input refused, with the counts of bad edges and the place of the first, where
 /// the mesh does not bound a solid of positive volume.

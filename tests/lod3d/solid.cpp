@@ -150,6 +150,49 @@ TEST_CASE("a shell that does not face its hull adds nothing, also when all is in
     }
 }
 
+TEST_CASE("a part that bounds nothing beside one that does is dropped if flat, else refused",
+          "[solid]") {
+    Mesh sheet{{{9, 0, 0}, {9, 1, 0}, {9, 1, 1}, {9, 0, 1}},
+               {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};  // by the other diagonal behind
+    Mesh beside = made("box:1,1,1");
+    append(beside, sheet, Point::Zero());
+    const Solid solid = make_solid("it", beside);
+    CHECK(solid.volume == Approx(1).epsilon(1e-14));
+    CHECK_FALSE(solid.approximate);
+    REQUIRE(solid.mended.size() == 1);
+    CHECK_THAT(solid.mended[0], lodtest::contains("dropped 1 part of 2, flat"));
+
+    for (const double thin : {1e-3, 1e-6}) {  // a wire is neither
+        CAPTURE(thin);
+        Mesh wired = made("box:1,1,1");
+        Mesh wire = made("box:1,1,1");
+        for (Point& p : wire.vertices) p = Point(p.x(), thin * p.y(), thin * p.z());
+        append(wired, wire, {2, 0.3, 0.7});
+        CHECK(make_solid("it", wired).volume == Approx(1 + thin * thin).epsilon(1e-12));
+        CHECK(make_solid("it", wired).mended.empty());
+    }
+
+    // Sides of a box cut by one diagonal from without, and by the other from within.
+    Mesh doubled;
+    for (int corner = 0; corner < 8; ++corner)
+        doubled.vertices.push_back(Point(corner & 1, corner >> 1 & 1, corner >> 2));
+    for (const std::array<int, 4>& q : {std::array{0, 2, 3, 1},
+                                        {4, 5, 7, 6},
+                                        {0, 1, 5, 4},
+                                        {2, 6, 7, 3},
+                                        {0, 4, 6, 2},
+                                        {1, 3, 7, 5}})
+        for (const Triangle& t : {Triangle{q[0], q[1], q[2]}, Triangle{q[0], q[2], q[3]},
+                                  Triangle{q[0], q[3], q[1]}, Triangle{q[1], q[3], q[2]}})
+            doubled.triangles.push_back(t);
+    append(doubled, made("box:1,1,1"), {5, 0, 0});
+    for (const bool fill : {false, true})
+        CHECK_THAT(
+            refusal(doubled, {.fill = fill}),
+            lodtest::contains("it: one of its 2 parts, which holds (0, 0, 0), bounds no volume") &&
+                lodtest::contains("doubled"));
+}
+
 TEST_CASE("a cavity that touches the hull from within, by a face or three, stays exact",
           "[solid]") {
     for (const Point& at : {Point(0.25, 0, 0), Point(0.25, -0.25, 0), Point(0.25, 0.25, -0.25)}) {
