@@ -176,6 +176,11 @@ class Stepper {
             std::error_code ignored;
             if (!std::filesystem::exists(std::filesystem::symlink_status(there, ignored))) continue;
             const TemporaryFolder made;
+            if (made.path().empty())
+                throw lod::Error(lod::ErrorKind::output_failed,
+                                 "no temporary folder can be made to look at what stands in " +
+                                     options_.pictures.string() +
+                                     "; set TMPDIR, or choose an empty folder");
             const std::filesystem::path ours = made.path() / picture_name(number);
             write_picture(number, ours);
             if (!same_bytes(ours, there))
