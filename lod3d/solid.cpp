@@ -193,12 +193,45 @@ PartsMeet turn_outwards(Mesh& mesh, std::vector<std::string>& mended) {
     return meet;
 }
 
-Mesh filled(const Mesh& mesh, const SolidOptions& options) {
+/// `why`: before what a refusal says.
+Mesh filled(const Mesh& mesh, const SolidOptions& options, const std::string& why = "") {
     try {
         return fill_by_winding(mesh, options.fill_cells);
     } catch (const lod::Error& error) {
-        lod::refuse_input(options.source, error.what());
+        lod::refuse_input(options.source, why + error.what());
     }
+}
+
+/// Says where a closed surface that no other crosses winds otherwise than once around what it
+/// encloses: there it crosses itself, or folds over. All triangles are asked, of many some; small
+/// folds, as scanned surfaces have them, go unsaid.
+void remark_on_folds(const Mesh& mesh, const Point& moved, std::vector<std::string>& mended) {
+    constexpr std::size_t most_asked = 4096;
+    constexpr double small = 1e-3;  // of the surface
+    const MeshDistance distance(mesh, InsideRule::winding);
+    const std::size_t step = 1 + mesh.triangles.size() / most_asked;
+    double area = 0;
+    double folded = 0;
+    double largest = 0;
+    std::string where;
+    for (std::size_t t = 0; t < mesh.triangles.size(); t += step) {
+        const Point a = mesh.corner(t, 0);
+        const double own = (mesh.corner(t, 1) - a).cross(mesh.corner(t, 2) - a).norm();
+        if (!(own > 0)) continue;
+        area += own;
+        const Sides side = sides_at(distance, mesh, t, 1e-5 * std::sqrt(own));
+        if (!side.clear() || (!side.inside_out() && !side.hidden())) continue;
+        if (side != sides_at(distance, mesh, t, 1e-7 * std::sqrt(own))) continue;
+        folded += own;
+        if (own <= largest) continue;
+        largest = own;
+        where = place_in_words((a + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 + moved) +
+                ": what it encloses there " +
+                (side.inside_out() ? "is taken from the volume" : "counts twice");
+    }
+    if (folded > small * area)
+        mended.emplace_back("its surface crosses itself or folds over, as near " + where +
+                            ", in the centre and the inertia, too; divide or unite it there");
 }
 
 /// Where a mesh is brought near to the origin: on each axis on which it lies several of its lengths
@@ -276,6 +309,7 @@ Solid make_solid(std::string name, Mesh mesh, const SolidOptions& given) {
 
     check_parts(mesh, moved, options.source, solid.mended);
     const PartsMeet meet = turn_outwards(mesh, solid.mended);
+    if (meet != PartsMeet::crossing) remark_on_folds(mesh, moved, solid.mended);
     Integrals of = integrate(mesh);
     const double longest = bounding_box(mesh).size().maxCoeff();
     if (!(of.volume > 1e-12 * longest * longest * longest))
@@ -283,7 +317,7 @@ Solid make_solid(std::string name, Mesh mesh, const SolidOptions& given) {
     // Where surfaces touch or cross, the nearest one does not tell the inside.
     if (meet != PartsMeet::apart) solid.inside_rule = InsideRule::winding;
     if (meet == PartsMeet::crossing) {
-        of = integrate(filled(mesh, options));
+        of = integrate(filled(mesh, options, "its parts cross each other, so it was "));
         solid.approximate = true;
         solid.mended.emplace_back(
             "parts overlap: volume, centre and inertia are of their union on a grid");

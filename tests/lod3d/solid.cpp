@@ -150,6 +150,35 @@ TEST_CASE("a shell that does not face its hull adds nothing, also when all is in
     }
 }
 
+TEST_CASE("a surface that crosses itself is said to, with the place", "[solid]") {
+    // A prism over a bow tie: its loops enclose 3/8 m^2 and 27/8 m^2, turned against each other.
+    const auto prism = [](const std::vector<lod::Vector<2>>& base) {
+        Mesh mesh;
+        const auto n = static_cast<std::int32_t>(base.size());
+        for (const double z : {0.0, 4.0})
+            for (const auto& p : base) mesh.vertices.push_back(Point(p.x(), p.y(), z));
+        for (std::int32_t i = 0; i < n; ++i) {
+            const std::int32_t j = (i + 1) % n;
+            mesh.triangles.push_back({i, j, j + n});
+            mesh.triangles.push_back({i, j + n, i + n});
+            if (i + 2 >= n) continue;
+            mesh.triangles.push_back({0, i + 2, i + 1});
+            mesh.triangles.push_back({n, n + i + 1, n + i + 2});
+        }
+        return mesh;
+    };
+    const Solid tie = make_solid("it", prism({{0, 0}, {3, 3}, {3, 0}, {0, 1}}));
+    CHECK(tie.volume == Approx(4 * (27.0 - 3) / 8).epsilon(1e-12));
+    CHECK_THAT(tie.mended.back(), lodtest::contains("crosses itself") &&
+                                      lodtest::contains("is taken from the volume"));
+    // Twice around a square: a star's way.
+    const Solid twice = make_solid(
+        "it",
+        prism({{0, 0}, {2, 0}, {2, 2}, {0, 2.1}, {0.2, 0.2}, {1.8, 0.2}, {1.8, 1.8}, {0.1, 1.8}}));
+    CHECK_THAT(twice.mended.back(), lodtest::contains("counts twice"));
+    CHECK(make_solid("it", made("knot")).mended.empty());
+}
+
 TEST_CASE("a part that bounds nothing beside one that does is dropped if flat, else refused",
           "[solid]") {
     Mesh sheet{{{9, 0, 0}, {9, 1, 0}, {9, 1, 1}, {9, 0, 1}},
@@ -287,4 +316,7 @@ TEST_CASE("parts that share a space are told from those that touch", "[solid]") 
     Mesh through = made("box:1,1,1");  // a bar through a box: no corner of either lies in the other
     append(through, made("box:3,0.2,0.2"), Point::Zero());
     CHECK(make_solid("it", through).approximate);
+    Mesh thin = made("box:1,1,0.0001");  // too thin for a grid
+    append(thin, made("box:0.0001,1,1"), Point::Zero());
+    CHECK_THAT(refusal(thin), lodtest::contains("its parts cross each other, so it was filled"));
 }
