@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/binary_number.hpp"
@@ -122,7 +123,11 @@ class PlyValues {
 class PlyReader {
   public:
     PlyReader(const PlyHeader& header, std::string_view bytes, MeshDraft& draft)
-        : header_(header), values_(bytes, header, draft), draft_(draft) {}
+        : header_(header), values_(bytes, header, draft), draft_(draft) {
+        has_strips_ = std::ranges::any_of(header.elements, [](const PlyElement& element) {
+            return element.name == "tristrips" && element.count > 0;
+        });
+    }
 
     FileMesh read() {
         for (const PlyElement& element : header_.elements) {
@@ -137,10 +142,15 @@ class PlyReader {
                 for (std::int64_t i = 0; i < element.count; ++i)
                     for (const PlyProperty& property : element.properties) values_.skip(property);
         }
+        const bool repeated = strips_repeat_faces();
+        if (!repeated)
+            for (const StripTriangle& one : strips_) draft_.add_polygon(one.corners, one.place);
         FileMesh file = draft_.finish(
             "it needs an element face, or tristrips, with a list of "
             "vertex indices");
         file.step = std::max(file.step, coordinate_step(file.mesh, bits_));
+        if (repeated)
+            file.remarks.emplace_back("passed over its tristrips, which repeat its faces");
         const std::string left = values_.left_over();
         if (!left.empty()) file.remarks.push_back(left);
         return file;
@@ -213,6 +223,10 @@ class PlyReader {
         for (std::int64_t k = 0; k < length; ++k)
             corners_.push_back(values_.next_whole(list.type, "a vertex index"));
         draft_.add_polygon(corners_, place);
+        if (!has_strips_ || length < 3) return;
+        std::ranges::sort(corners_);
+        for (const std::int64_t corner : corners_) faces_of_[corner].push_back(faces_.size());
+        faces_.push_back(corners_);
     }
 
     /// Each vertex makes a triangle with the two before it, turned the other way than the last; a
@@ -227,19 +241,45 @@ class PlyReader {
                 length = 0;
                 continue;
             }
-            if (length >= 2 && last[0] != last[1] && last[1] != v && v != last[0])
-                draft_.add_polygon(length % 2 == 0 ? std::array{last[0], last[1], v}
+            if (length >= 2 && last[0] != last[1] && last[1] != v && v != last[0]) {
+                draft_.check_triangles(static_cast<double>(strips_.size()) + 1);
+                strips_.push_back({length % 2 == 0 ? std::array{last[0], last[1], v}
                                                    : std::array{last[1], last[0], v},
-                                   values_.place());
+                                   values_.place()});
+            }
             last = {last[1], v};
             ++length;
         }
+    }
+
+    struct StripTriangle {
+        std::array<std::int64_t, 3> corners;
+        std::uint64_t place;
+    };
+
+    /// Whether there are faces, and strips of which each triangle has the corners of one.
+    [[nodiscard]] bool strips_repeat_faces() const {
+        if (faces_.empty() || strips_.empty()) return false;
+        return std::ranges::all_of(strips_, [&](const StripTriangle& one) {
+            const auto around = faces_of_.find(one.corners[0]);
+            return around != faces_of_.end() &&
+                   std::ranges::any_of(around->second, [&](std::size_t face) {
+                       return std::ranges::all_of(one.corners, [&](std::int64_t corner) {
+                           return std::ranges::binary_search(faces_[face], corner);
+                       });
+                   });
+        });
     }
 
     const PlyHeader& header_;
     PlyValues values_;
     MeshDraft& draft_;
     std::vector<std::int64_t> corners_;
+    std::vector<StripTriangle> strips_;
+    // Of a file that has strips besides: corners in order, and the faces of a corner.
+    bool has_strips_ = false;
+    std::vector<std::vector<std::int64_t>> faces_;
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> faces_of_;
     int bits_ = 53;  ///< of a coordinate
 };
 

@@ -100,3 +100,22 @@ TEST_CASE("a semicolon may end a line of OBJ, and no statement follows it there"
     CHECK_THAT(refusal(read_obj, "v 0 0 0; v 1 0 0\n"),
                contains("line 1: has \"v\" after a semicolon; begin a new line there"));
 }
+
+TEST_CASE("strips that repeat a PLY file's faces are passed over, others are read", "[odd_files]") {
+    const auto with_strips = [](const std::string& strips) {
+        return replaced(text_of(box(), "ply"), "end_header",
+                        "element tristrips 1\nproperty list int int vertex_indices\nend_header") +
+               strips;
+    };
+    const Triangle first = box().triangles[0];
+    const std::string one = "3 " + std::to_string(first[0]) + ' ' + std::to_string(first[1]) + ' ' +
+                            std::to_string(first[2]) + '\n';
+    const FileMesh repeated = read_ply(with_strips(one), "it.ply");
+    REQUIRE(repeated.remarks.size() == 1);
+    CHECK_THAT(repeated.remarks[0], contains("passed over its tristrips"));
+    CHECK(repeated.mesh.triangles.size() == 12);
+    // A strip of its own: three corners that no face has together.
+    const FileMesh other = read_ply(with_strips("3 0 7 3\n"), "it.ply");
+    CHECK(other.remarks.empty());
+    CHECK(other.mesh.triangles.size() == 13);
+}
