@@ -79,6 +79,7 @@ void ScriptReader::fill() {
     if (!inked(surface)) return;
     surface.path_filled = true;
     surface.drawn.fills.push_back({on_page(surface.path, surface.rule), surface.clips});
+    surface.drawn.fills.back().region.path.drop_dots();
 }
 
 void ScriptReader::stroke() {

@@ -68,17 +68,31 @@ void append_cubic(Ring& ring, const Point& a, const Point& b, const Point& c, co
     ring.push_back(d);
 }
 
+/// The direction from p to the first of the points that lies elsewhere.
+Point direction(const Point& p, std::initializer_list<Point> others) {
+    for (const Point& other : others)
+        if (other != p) return (other - p).normalized();
+    return Point::Zero();
+}
+
+bool are_in_line(const Point& before, const Point& after) {
+    const double sine = before.x() * after.y() - before.y() * after.x();
+    return std::abs(sine) < 1e-6 && before.dot(after) > 0;
+}
+
 }  // namespace
 
 void CurvePath::move_to(const Point& p) {
     current_ = p;
     restart_ = true;
+    moved_ = true;
 }
 
 CurvePath::Subpath& CurvePath::drawing() {
     if (restart_) {
         subpaths_.push_back({{current_}, {}, false});
         restart_ = false;
+        moved_ = false;
     }
     return subpaths_.back();
 }
@@ -143,15 +157,22 @@ void CurvePath::arc_to(double rx, double ry, double tilt, bool large, bool sweep
 }
 
 void CurvePath::close() {
-    if (restart_) return;
-    subpaths_.back().closed = true;
-    current_ = subpaths_.back().points.front();
+    if (restart_ && !moved_) return;
+    Subpath& path = drawing();
+    path.closed = true;
+    current_ = path.points.front();
+    restart_ = true;
+}
+
+void CurvePath::drop_dots() {
+    std::erase_if(subpaths_, [](const Subpath& path) { return path.points.size() < 2; });
     restart_ = true;
 }
 
 void CurvePath::append(const CurvePath& other) {
     subpaths_.insert(subpaths_.end(), other.subpaths_.begin(), other.subpaths_.end());
     restart_ = true;
+    moved_ = false;
 }
 
 void CurvePath::transform(const Affine& affine) {
@@ -174,22 +195,40 @@ Box CurvePath::control_box() const {
     return box;
 }
 
-std::vector<Ring> CurvePath::flatten(double tolerance) const {
-    std::vector<Ring> rings;
+std::vector<CurvePath::Chain> CurvePath::chains(double tolerance) const {
+    std::vector<Chain> chains;
     for (const Subpath& path : subpaths_) {
-        Ring& ring = rings.emplace_back();
+        auto& [ring, first, heading, smooth] = chains.emplace_back();
         ring.push_back(path.points[0]);
+        smooth.push_back(false);
         std::size_t next = 1;
         for (bool curved : path.curved) {
             const Point* q = path.points.data() + next;
+            const Point start =
+                curved ? direction(q[-1], {q[0], q[1], q[2]}) : direction(q[-1], {q[0]});
+            if (next == 1) first = start;
+            smooth.back() = are_in_line(heading, start);
             if (curved)
                 append_cubic(ring, q[-1], q[0], q[1], q[2], tolerance);
             else
                 ring.push_back(q[0]);
+            smooth.resize(ring.size(), true);
+            heading = curved ? Point(-direction(q[2], {q[1], q[0], q[-1]})) : start;
             next += curved ? 3 : 1;
         }
-        if (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+        smooth.back() = false;
+        if (ring.size() > 1 && ring.back() == ring.front()) {
+            ring.pop_back();
+            smooth.pop_back();
+            smooth.front() = path.closed && are_in_line(heading, first);
+        }
     }
+    return chains;
+}
+
+std::vector<Ring> CurvePath::flatten(double tolerance) const {
+    std::vector<Ring> rings;
+    for (Chain& chain : chains(tolerance)) rings.push_back(std::move(chain.points));
     return rings;
 }
 

@@ -41,7 +41,11 @@ class CurvePath {
     /// small to reach are scaled up, a radius of zero draws a line.
     void arc_to(double rx, double ry, double tilt, bool large, bool sweep, const Point& p);
     /// Back to the start of the subpath; what follows without move_to starts there.
+    /// Right after a move_to it makes a subpath of that one point, where round and square caps
+    /// draw.
     void close();
+    /// Removes subpaths of one point, which fill nothing.
+    void drop_dots();
 
     void append(const CurvePath& other);
     void transform(const Affine& affine);
@@ -56,6 +60,15 @@ class CurvePath {
     /// most_cuts lines a curve. The start is not repeated at the end.
     [[nodiscard]] std::vector<Ring> flatten(double tolerance) const;
 
+    /// The same, with what tells curves from corners.
+    struct Chain {
+        Ring points;
+        Point start = Point::Zero();  ///< unit vectors along the path at its ends, or zero
+        Point end = Point::Zero();
+        std::vector<bool> smooth;  ///< of each point: the path has no corner there
+    };
+    [[nodiscard]] std::vector<Chain> chains(double tolerance) const;
+
     static constexpr int most_cuts = 1000;
 
   private:
@@ -64,6 +77,7 @@ class CurvePath {
     std::vector<Subpath> subpaths_;
     Point current_ = Point::Zero();
     bool restart_ = true;  ///< the next piece begins a subpath
+    bool moved_ = false;   ///< by a move_to, and nothing was drawn since
 };
 
 /// Shapes of SVG as paths, in its frame (y down). Rounded corners as in SVG.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <span>
 
 #include "lodlab/core/math/trigonometry.hpp"
 
@@ -17,11 +19,33 @@ double cross(const Point& a, const Point& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
+using Chain = CurvePath::Chain;
+
+void append(Chain& chain, const Point& p, bool smooth = false) {
+    chain.points.push_back(p);
+    chain.smooth.push_back(smooth);
+}
+
 /// A subpath as a chain whose end is repeated only where the pen comes back without closing.
-Ring chain_of(Ring ring, const CurvePath::Subpath& path) {
+Chain chain_of(Chain chain, const CurvePath::Subpath& path) {
     if (!path.closed && path.points.size() > 1 && path.points.back() == path.points.front())
-        ring.push_back(path.points.front());
-    return ring;
+        append(chain, path.points.front());
+    return chain;
+}
+
+/// Without points that repeat the one before.
+Chain without_repeats(const Chain& chain, bool closed) {
+    Chain result;
+    result.start = chain.start;
+    result.end = chain.end;
+    for (std::size_t i = 0; i < chain.points.size(); ++i)
+        if (result.points.empty() || chain.points[i] != result.points.back())
+            append(result, chain.points[i], chain.smooth[i]);
+    while (closed && result.points.size() > 1 && result.points.front() == result.points.back()) {
+        result.points.pop_back();
+        result.smooth.pop_back();
+    }
+    return result;
 }
 
 /// Draws the pieces of one pen.
@@ -34,7 +58,7 @@ class Pen {
     }
 
     /// `heading`, a unit vector, is what the caps of a dot follow.
-    void follow(Ring line, bool closed, const Point& heading = {1, 0});
+    void follow(const Chain& chain, bool closed, const Point& heading = {1, 0});
     Outline take() { return std::move(outline_); }
 
   private:
@@ -51,6 +75,18 @@ class Pen {
     void end(const Point& at, const Point& outwards);
     void arc(const Point& at, const Point& from, const Point& to, Ring& ring) const;
     void join(const Point& at, const Point& before, const Point& after);
+    void round_join(const Point& at, const Point& before, const Point& after);
+    /// The line of a chain from point i, and how it turns at its ends.
+    struct Piece {
+        Point from, to, along;
+        double turn_from, turn_to;  ///< sine of the angle that a curve turns left; 0 at corners
+        [[nodiscard]] double turn() const { return (turn_from + turn_to) / 2; }
+    };
+    [[nodiscard]] bool is_tight(const Piece& piece) const {
+        return r_ * std::abs(piece.turn()) > (piece.to - piece.from).norm();
+    }
+    void straight(const Piece& piece);
+    void bent(std::span<const Piece> pieces);
 
     const StrokeStyle& style_;
     double r_;
@@ -89,6 +125,18 @@ void Pen::arc(const Point& at, const Point& from, const Point& to, Ring& ring) c
     }
 }
 
+/// Only the outer side's sector: a whole disc would stand out of an end near by.
+void Pen::round_join(const Point& at, const Point& before, const Point& after) {
+    const double outer = cross(before, after) > 0 ? -r_ : r_;
+    const Point from = outer * turned_left(before);
+    const Point to = outer * turned_left(after);
+    const Point middle = r_ * (before - after).normalized();
+    Ring sector{at, at + from};
+    arc(at, from, middle, sector);
+    arc(at, middle, to, sector);
+    add(std::move(sector));
+}
+
 /// The corner between lines along two unit vectors.
 void Pen::join(const Point& at, const Point& before, const Point& after) {
     const double sine = cross(before, after);
@@ -97,14 +145,7 @@ void Pen::join(const Point& at, const Point& before, const Point& after) {
     const double outer = sine > 0 ? -r_ : r_;  // the outer side is on the right of a left turn
     const Point from = at + outer * turned_left(before);
     const Point to = at + outer * turned_left(after);
-    if (style_.join == StrokeJoin::round) {
-        // Only the outer side's sector: a whole disc would stand out of an end near by.
-        const Point middle = r_ * (before - after).normalized();
-        Ring sector{at, from};
-        arc(at, from - at, middle, sector);
-        arc(at, middle, to - at, sector);
-        return add(std::move(sector));
-    }
+    if (style_.join == StrokeJoin::round) return round_join(at, before, after);
     // The miter reaches r / cos(half the turn); its square, by the half-angle formula:
     const double reach_squared = 2 / (1 + cosine);
     if (style_.join == StrokeJoin::miter && 1 + cosine > 1e-12 &&
@@ -120,26 +161,85 @@ void Pen::dot(const Point& at, const Point& along) {
     if (style_.cap == StrokeCap::square) end(at, -along);
 }
 
-void Pen::follow(Ring line, bool closed, const Point& heading) {
-    const auto repeated = std::unique(line.begin(), line.end());
-    line.erase(repeated, line.end());
-    if (closed)
-        while (line.size() > 1 && line.front() == line.back()) line.pop_back();
+void Pen::straight(const Piece& piece) {
+    const Point side = r_ * turned_left(piece.along);
+    add({piece.from - side, piece.to - side, piece.to + side, piece.from + side});
+}
+
+/// A bend tighter than the pen: the pen's inner half turns about points within it, the centres of
+/// the bend, and covers what lies before them and what lies beyond.
+void Pen::bent(std::span<const Piece> pieces) {
+    const double inner = pieces[0].turn() > 0 ? 1 : -1;
+    Ring before, beyond, centres;
+    for (const Piece& piece : pieces) {
+        const Point left = turned_left(piece.along);
+        const auto arm = [&](double turn) {
+            return Point((inner * (left - turn / 2 * piece.along)).normalized());
+        };
+        const Point arm_from = arm(-piece.turn_from);
+        const Point arm_to = arm(piece.turn_to);
+        const double reach = cross(piece.to - piece.from, arm_to) / cross(arm_from, arm_to);
+        centres.push_back(piece.from + reach * arm_from);
+        const Point side = r_ * inner * left;
+        add({piece.from, piece.to, piece.to - side, piece.from - side});
+        before.push_back(piece.from);
+        beyond.push_back(piece.from + r_ * arm_from);
+        const Point& centre = centres.back();
+        const Point last = piece.to + r_ * arm_to;
+        const double start = (beyond.back() - centre).norm();
+        const double end = (last - centre).norm();
+        const int cuts =
+            1 + static_cast<int>(std::abs(piece.turn()) * steps_ / (2 * std::numbers::pi));
+        for (int i = 1; i <= cuts; ++i) {
+            const double share = double(i) / cuts;
+            const Point ray = (1 - share) * arm_from + share * arm_to;
+            beyond.push_back(centre + ((1 - share) * start + share * end) * ray.normalized());
+        }
+    }
+    before.push_back(pieces.back().to);
+    before.insert(before.end(), centres.rbegin(), centres.rend());
+    beyond.insert(beyond.end(), centres.rbegin(), centres.rend());
+    add(std::move(before));
+    add(std::move(beyond));
+}
+
+void Pen::follow(const Chain& chain, bool closed, const Point& heading) {
+    const auto [line, start, finish, smooth] = without_repeats(chain, closed);
     if (line.size() == 1) return dot(line[0], heading);
     const std::size_t n = line.size();
-    const std::size_t pieces = closed ? n : n - 1;
-    std::vector<Point> along;
-    for (std::size_t i = 0; i < pieces; ++i) {
-        const Point& a = line[i];
-        const Point& b = line[(i + 1) % n];
-        along.push_back((b - a) / (b - a).norm());
-        const Point side = r_ * turned_left(along.back());
-        add({a - side, b - side, b + side, a + side});
+    std::vector<Piece> pieces(closed ? n : n - 1);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        pieces[i] = {line[i], line[(i + 1) % n], (line[(i + 1) % n] - line[i]).normalized(), 0, 0};
+    for (std::size_t i = closed ? 0 : 1; i < pieces.size(); ++i) {
+        Piece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
+        if (smooth[i]) before.turn_to = pieces[i].turn_from = cross(before.along, pieces[i].along);
     }
-    for (std::size_t i = 1; i < pieces; ++i) join(line[i], along[i - 1], along[i]);
-    if (closed) return join(line[0], along.back(), along.front());
-    end(line.front(), -along.front());
-    end(line.back(), along.back());
+    Piece& first = pieces.front();
+    Piece& last = pieces.back();
+    if (!closed) {  // the path's ends turn by half as much
+        first.turn_from = 2 * cross(start, first.along);
+        last.turn_to = 2 * cross(last.along, finish);
+    }
+    for (std::size_t i = 0; i < pieces.size();) {
+        std::size_t end = i;
+        while (end < pieces.size() && is_tight(pieces[end]) &&
+               pieces[end].turn() * pieces[i].turn() > 0)
+            ++end;
+        if (end > i) bent(std::span(pieces).subspan(i, end - i));
+        if (end == i) straight(pieces[end++]);
+        i = end;
+    }
+    for (std::size_t i = closed ? 0 : 1; i < pieces.size(); ++i) {
+        const Piece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
+        const bool bends = is_tight(before) && is_tight(pieces[i]) && smooth[i];
+        if (bends) round_join(line[i], before.along, pieces[i].along);
+        if (!bends) join(line[i], before.along, pieces[i].along);
+    }
+    if (closed) return;
+    if (is_tight(first) && first.turn_from != 0) round_join(line.front(), start, first.along);
+    if (is_tight(last) && last.turn_to != 0) round_join(line.back(), last.along, finish);
+    end(line.front(), -first.along);
+    end(line.back(), last.along);
 }
 
 /// Walks along a line and cuts it where a pattern of dashes begins and ends.
@@ -162,30 +262,30 @@ class Dashes {
 
     /// Calls visit(dash, direction at its end) for each, until it returns false.
     template <typename Visit>
-    void cut(const Ring& line, Visit&& visit) {
-        Ring dash;
-        if (on()) dash.push_back(line[0]);
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            const Point& a = line[i - 1];
-            const Point& b = line[i];
+    void cut(const Chain& line, Visit&& visit) {
+        Chain dash;
+        if (on()) append(dash, line.points[0]);
+        for (std::size_t i = 1; i < line.points.size(); ++i) {
+            const Point& a = line.points[i - 1];
+            const Point& b = line.points[i];
             const double length = (b - a).norm();
             double done = 0;
             while (length - done > left_) {
                 done += left_;
                 const Point p = a + (b - a) * (done / length);
                 if (on()) {
-                    dash.push_back(p);
+                    append(dash, p);
                     if (!visit(std::move(dash), Point((b - a) / length))) return;
-                    dash.clear();
+                    dash = {};
                 }
                 step();
                 left_ = lengths_[at_];
-                if (on()) dash.push_back(p);
+                if (on()) append(dash, p);
             }
             left_ -= length - done;
-            if (on()) dash.push_back(b);
+            if (on()) append(dash, b, line.smooth[i]);
         }
-        if (dash.size() > 1) visit(std::move(dash), Point(1, 0));
+        if (dash.points.size() > 1) visit(std::move(dash), Point(1, 0));
     }
 
     [[nodiscard]] bool on() const { return at_ % 2 == 0; }
@@ -204,12 +304,44 @@ bool is_dashed(const StrokeStyle& style) {
     return period > 0 && std::isfinite(period);
 }
 
+/// A piece of a line, and the direction at its end.
+struct Dash {
+    Chain chain;
+    Point heading = {1, 0};
+    bool closed = false;  ///< all of a closed line
+};
+
+/// Calls visit(dash) for each until it returns false. On a closed line the dash that the pattern
+/// leaves open at the end goes on as the first, over the closing point.
 template <typename Visit>
-void visit_dashes(const Ring& line, const CurvePath::Subpath& path, const StrokeStyle& style,
+void visit_dashes(const Chain& line, const CurvePath::Subpath& path, const StrokeStyle& style,
                   Visit&& visit) {
-    Ring whole = chain_of(line, path);
-    if (path.closed) whole.push_back(line[0]);
-    Dashes(style).cut(whole, visit);
+    Chain whole = chain_of(line, path);
+    if (path.closed) append(whole, line.points[0]);
+    Dashes dashes(style);
+    std::optional<Dash> first;
+    std::optional<Dash> last;
+    bool going = true;
+    bool may_join = path.closed && dashes.on();
+    dashes.cut(whole, [&](Chain chain, const Point& heading) {
+        if (last) going = visit(std::move(*last));
+        (may_join ? first : last) = Dash{std::move(chain), heading};
+        may_join = false;
+        return going;
+    });
+    if (!going) return;
+    if (first && dashes.on()) {
+        if (last) {
+            for (std::size_t i = 1; i < first->chain.points.size(); ++i)
+                append(last->chain, first->chain.points[i], first->chain.smooth[i]);
+            last->heading = first->heading;
+            first.reset();
+        } else {
+            first->closed = true;
+        }
+    }
+    if (first && !visit(std::move(*first))) return;
+    if (last) (void)visit(std::move(*last));
 }
 
 }  // namespace
@@ -217,17 +349,16 @@ void visit_dashes(const Ring& line, const CurvePath::Subpath& path, const Stroke
 Outline stroke_pieces(const CurvePath& path, const StrokeStyle& style, double tolerance) {
     Pen pen(style, tolerance);
     const bool dashed = is_dashed(style);
-    const std::vector<Ring> lines = path.flatten(tolerance);
+    const std::vector<Chain> lines = path.chains(tolerance);
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        if (lines[i].empty()) continue;
-        const bool closed = path.subpaths()[i].closed;
-        if (!closed && path.subpaths()[i].points.size() < 2) continue;  // a move alone
+        const CurvePath::Subpath& sub = path.subpaths()[i];
+        if (!sub.closed && sub.points.size() < 2) continue;  // a move alone
         if (!dashed) {
-            pen.follow(chain_of(lines[i], path.subpaths()[i]), closed);
+            pen.follow(chain_of(lines[i], sub), sub.closed);
             continue;
         }
-        visit_dashes(lines[i], path.subpaths()[i], style, [&](Ring dash, const Point& heading) {
-            pen.follow(std::move(dash), false, heading);
+        visit_dashes(lines[i], sub, style, [&](const Dash& dash) {
+            pen.follow(dash.chain, dash.closed, dash.heading);
             return true;
         });
     }
@@ -238,11 +369,10 @@ std::size_t count_dashes(const CurvePath& path, const StrokeStyle& style, double
                          std::size_t most) {
     if (!is_dashed(style)) return 0;
     std::size_t count = 0;
-    const std::vector<Ring> lines = path.flatten(tolerance);
+    const std::vector<Chain> lines = path.chains(tolerance);
     for (std::size_t i = 0; i < lines.size() && count < most; ++i)
-        if (!lines[i].empty())
-            visit_dashes(lines[i], path.subpaths()[i], style,
-                         [&](const Ring&, const Point&) { return ++count < most; });
+        visit_dashes(lines[i], path.subpaths()[i], style,
+                     [&](const Dash&) { return ++count < most; });
     return count;
 }
 

@@ -196,7 +196,9 @@ void PlainWalk::draw_shape(const xml_node& node, const Affine& frame, const SvgS
     SvgNotes::count(drawing_.notes.whole, "gradient that fades to nothing",
                     "gradients that fade to nothing", fading);
     if (stroked) drawing_.strokes.push_back({std::move(pen_path), style.pen, frame, fills, {}});
-    if (fills) drawing_.fills.push_back({{std::move(path), style.rule}, {}});
+    if (!fills) return;
+    path.drop_dots();
+    drawing_.fills.push_back({{std::move(path), style.rule}, {}});
 }
 
 void PlainWalk::draw(const xml_node& node, const Affine& outer, const SvgStyle& parent, int depth) {
