@@ -60,7 +60,8 @@ Shape parse_svg(const std::string& name, std::string_view text, const SvgSetting
     for (const std::string& line : drawing.notes.remarks)
         shape.remarks.push_back(shape.name + ": " + line);
     for (const std::string& line : losses) {
-        const bool strokes = line.find("stroke") != std::string::npos && !settings.strokes;
+        const bool strokes = line.starts_with("left out ") && !settings.strokes &&
+                             line.find("stroke") != std::string::npos;
         shape.remarks.push_back(shape.name + ": " + line +
                                 (strokes ? " (the option strokes takes strokes in)" : ""));
     }

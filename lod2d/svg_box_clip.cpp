@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "lodlab/lod2d/svg_mask.hpp"
+#include "lodlab/lod2d/svg_property.hpp"
 #include "lodlab/lod2d/svg_xml.hpp"
 
 namespace lod2d {
@@ -87,10 +88,7 @@ class BoxClips {
 
   private:
     static std::string clip_of(const xml_node& node) {
-        std::string text = node.attribute("clip-path").value();
-        const std::string style = std::string(";") + node.attribute("style").value();
-        if (const std::size_t at = style.find(";clip-path:"); at != std::string::npos)
-            text = style.substr(at + 11, style.find(';', at + 1) - at - 11);
+        const std::string text = svg_property(node, "clip-path");
         const std::size_t open = text.find('#');
         if (open == std::string::npos) return {};
         return text.substr(open + 1, text.find_first_of(")'\"", open) - open - 1);

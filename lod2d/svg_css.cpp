@@ -113,42 +113,6 @@ std::string lower_outside_links(std::string_view text) {
     return result;
 }
 
-bool holds_call(const std::string& text, std::initializer_list<std::string> functions) {
-    const auto called = [&](const std::string& f) { return text.find(f + "(") != text.npos; };
-    return std::ranges::any_of(functions, called);
-}
-
-/// What a property is where nothing is said, for those whose keywords are put in place.
-std::string_view initial_value(std::string_view property) {
-    struct Initial {
-        std::string_view property;
-        std::string_view value;
-    };
-    static constexpr Initial values[] = {
-        {"fill", "black"},           {"stroke", "none"},        {"fill-rule", "nonzero"},
-        {"fill-opacity", "1"},       {"stroke-opacity", "1"},   {"stroke-width", "1"},
-        {"stroke-linecap", "butt"},  {"visibility", "visible"}, {"stroke-dasharray", "none"},
-        {"stroke-linejoin", "miter"}};
-    const auto found = std::ranges::find(values, property, &Initial::property);
-    return found == std::end(values) ? std::string_view() : found->value;
-}
-
-/// Moves or bends what is drawn, and is of browsers' CSS alone.
-bool is_of_browsers(std::string_view property) {
-    return is_one_of(property,
-                     {"transform-origin", "transform-box", "translate", "rotate", "scale", "d",
-                      "all", "zoom", "clip", "content-visibility", "vector-effect"}) ||
-           property.starts_with("animation") || property.starts_with("offset-");
-}
-
-bool is_harmless(std::string_view property, const std::string& value) {
-    if (is_one_of(value, {"none", "auto", "normal", "initial", "unset"})) return true;
-    if (property == "zoom") return value == "1";
-    if (property == "transform-box") return value == "view-box";
-    if (property == "transform-origin") return value.find_first_not_of("0 px") == std::string::npos;
-    return property.starts_with("animation-") && property != "animation-name";
-}
-
 bool is_no_opacity(std::string_view text) {
     SvgReader reader(trimmed(text));
     try {
@@ -261,33 +225,9 @@ std::string SvgCss::value(std::string_view property, std::string_view raw) {
         important = " !important";
         text = trimmed(std::string_view(text).substr(0, mark));
     }
-    const std::string named(property);
-    if (is_of_browsers(property)) {
-        if (!is_harmless(property, text))
-            notes_.doubt("its style sets " + named + ", which is not followed here");
-        return {};
-    }
-    if (is_one_of(text, {"initial", "unset", "revert", "revert-layer"})) {
-        const std::string_view initial = initial_value(property);
-        if (initial.empty()) {
-            notes_.doubt("its style sets " + named + " to " + text +
-                         ", which is not followed here; write the value itself");
-            return {};
-        }
-        text = text == "initial" ? std::string(initial) : "inherit";
-    }
-    if (property.starts_with("font") || property.starts_with("-")) return text + important;
-    if (holds_call(text, {"calc", "min", "max", "clamp", "env", "attr"}))
-        notes_.doubt("its style computes " + named + " (" + text +
-                     "), which is not followed here; write the value itself");
-    if ((property == "fill" || property == "stroke") &&
-        holds_call(text, {"color", "color-mix", "lab", "lch", "oklab", "oklch", "hwb",
-                          "device-cmyk", "light-dark", "icc-color"})) {
-        if (text.find('/') != std::string::npos)
-            notes_.doubt("its " + named + " " + text + " is taken as seen");
-        text = "black";
-    }
-    return text + important;
+    if (property.starts_with("-")) return text + important;
+    text = followed_value(property, std::move(text), frame_, notes_);
+    return text.empty() ? text : text + important;
 }
 
 std::string SvgCss::display_for(std::string_view opacity) {
@@ -303,58 +243,32 @@ std::string SvgCss::declarations(std::string_view text) {
     std::string result;
     visit_declarations(clean, [&](const std::string& name, std::string_view value_text) {
         if (name.starts_with("--")) return;
-        if (name.find_first_of("{}&") != std::string::npos ||
-            value_text.find('{') != std::string_view::npos) {
-            notes_.doubt("its style sheet nests rules, which is not followed here");
-            return;
-        }
-        if (name == "opacity") {
-            const std::string display = display_for(value_text);
-            if (!display.empty()) result += "display:" + display + ";";
-            return;
-        }
-        const std::string put = value(name, value_text);
-        if (!put.empty()) result += name + ":" + put + ";";
+        if (name.starts_with("-webkit-"))
+            return put_declaration(name.substr(8), value_text, result);
+        put_declaration(name, value_text, result);
     });
     return result;
 }
 
-void SvgCss::check_selector(std::string_view selector) {
-    static constexpr std::string_view known[] = {"root",
-                                                 "first-child",
-                                                 "last-child",
-                                                 "only-child",
-                                                 "first-of-type",
-                                                 "last-of-type",
-                                                 "only-of-type",
-                                                 "nth-child",
-                                                 "nth-of-type",
-                                                 "nth-last-child",
-                                                 "nth-last-of-type",
-                                                 "not",
-                                                 "empty",
-                                                 "link",
-                                                 "hover",
-                                                 "active",
-                                                 "focus",
-                                                 "visited",
-                                                 "target",
-                                                 "lang"};
-    for (std::size_t i = 0; i < selector.size(); ++i) {
-        i = after_string(selector, i);
-        if (selector[i] != ':') continue;
-        const std::size_t end =
-            std::min(selector.find_first_of(" ,.#:[>+~()", i + 1), selector.size());
-        const std::string name = lower(selector.substr(i + 1, end - i - 1));
-        if (std::ranges::find(known, name) == std::end(known))
-            notes_.doubt("its style sheet selects by :" + name + ", which is not followed here");
+void SvgCss::put_declaration(const std::string& name, std::string_view text, std::string& result) {
+    if (name.find_first_of("{}&") != std::string::npos ||
+        text.find('{') != std::string_view::npos) {
+        notes_.doubt("its style sheet nests rules, which is not followed here");
+        return;
     }
+    if (name == "opacity") {
+        const std::string display = display_for(text);
+        if (!display.empty()) result += "display:" + display + ";";
+        return;
+    }
+    const std::string put = value(name, text);
+    if (!put.empty()) result += name + ":" + put + ";";
 }
 
 std::string SvgCss::at_rule(std::string_view name, std::string_view prelude,
                             std::string_view block) {
-    if (is_one_of(name, {"charset", "namespace", "font-face", "keyframes", "page", "property"}))
-        return {};
+    if (name == "namespace") return selectors_.declare(prelude), std::string();
+    if (is_one_of(name, {"charset", "font-face", "keyframes", "page", "property"})) return {};
     if (name == "import") {
         notes_.doubt("its style sheet imports another (" + std::string(prelude) +
                      "), which is not read");
@@ -378,8 +292,16 @@ std::string SvgCss::sheet(std::string_view text) {
     visit_rules(
         clean,
         [&](std::string_view selector, std::string_view block) {
-            check_selector(selector);
-            result += std::string(selector) + "{" + declarations(block) + "}\n";
+            const auto followed = selectors_.followed(selector);
+            if (!followed) return;
+            visit_declarations(block, [&](const std::string& name, std::string_view) {
+                if (is_one_of(name, {"x", "y", "width", "height"}) &&
+                    SvgSelectors::may_take_viewports(*followed, frame_))
+                    notes_.doubt("its style sheet sets " + name +
+                                 ", which is not followed here for <use> and <svg>");
+                transforms_ = transforms_ || name == "transform";
+            });
+            result += *followed + "{" + declarations(block) + "}\n";
         },
         [&](const std::string& name, std::string_view prelude, std::string_view block) {
             result += at_rule(name, prelude, block);

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "lodlab/lod2d/svg_drawing.hpp"
+#include "lodlab/lod2d/svg_css_selectors.hpp"
 
 namespace lod2d {
 
@@ -14,6 +14,8 @@ namespace lod2d {
 class SvgCss {
   public:
     explicit SvgCss(SvgNotes& notes) : notes_(notes) {}
+
+    void set_frame(const SvgFrame& frame) { frame_ = frame; }
 
     /// Learns the custom properties (--name: value) of a sheet, or of the root's own declarations.
     void learn(std::string_view sheet);
@@ -28,6 +30,8 @@ class SvgCss {
     /// The value of a property; "" where the declaration is to be left out.
     [[nodiscard]] std::string value(std::string_view property, std::string_view text);
 
+    [[nodiscard]] bool sheets_transform() const { return transforms_; }
+
   private:
     struct Custom {
         std::string value;
@@ -35,11 +39,14 @@ class SvgCss {
     };
     void learn_from(std::string_view declarations, bool of_root);
     std::string at_rule(std::string_view name, std::string_view prelude, std::string_view block);
-    void check_selector(std::string_view selector);
+    void put_declaration(const std::string& name, std::string_view text, std::string& result);
     /// With custom properties put in place, so many at most.
     std::string substituted(std::string text, int& left);
 
     SvgNotes& notes_;
+    SvgSelectors selectors_{notes_};
+    SvgFrame frame_;
+    bool transforms_ = false;   ///< a sheet has transform
     bool sheets_fade_ = false;  ///< a sheet has opacity: 0
     bool sheets_display_ = false;
     std::map<std::string, Custom, std::less<>> custom_;

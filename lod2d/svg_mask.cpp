@@ -5,6 +5,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "lodlab/lod2d/svg_property.hpp"
 #include "lodlab/lod2d/svg_words.hpp"
 #include "lodlab/lod2d/svg_xml.hpp"
 
@@ -12,24 +13,6 @@ namespace lod2d {
 namespace {
 
 using pugi::xml_node;
-
-/// The value of a property in `style` or as an attribute.
-std::string property_of(const xml_node& node, const std::string& name) {
-    const std::string style = std::string(";") + node.attribute("style").value();
-    const std::size_t at = style.find(";" + name + ":");
-    if (at == std::string::npos) return node.attribute(name.c_str()).value();
-    const std::size_t from = at + name.size() + 2;
-    return style.substr(from, style.find(';', from) - from);
-}
-
-void take_off(xml_node node, const std::string& name) {
-    node.remove_attribute(name.c_str());
-    std::string style = std::string(";") + node.attribute("style").value();
-    if (const std::size_t at = style.find(";" + name + ":"); at != std::string::npos) {
-        style.erase(at, std::min(style.find(';', at + 1), style.size()) - at);
-        node.attribute("style").set_value(style.c_str());
-    }
-}
 
 bool is_black(const std::string& fill) {
     return is_one_of(fill, {"", "black", "#000", "#000000", "inherit", "currentcolor"}) ||
@@ -53,13 +36,13 @@ class Masks {
             child = next;
         }
         if (is_one_of(local_name(node.name()), {"mask", "clipPath"})) return;
-        const std::string filter = property_of(node, "filter");
+        const std::string filter = svg_property(node, "filter");
         if (!filter.empty() && filter != "none")
             SvgNotes::count(notes_.left_out, "filter", "filters");
-        if (!filter.empty()) take_off(node, "filter");
-        const std::string mask = property_of(node, "mask");
+        if (!filter.empty()) remove_svg_property(node, "filter");
+        const std::string mask = svg_property(node, "mask");
         if (mask.empty()) return;
-        take_off(node, "mask");
+        remove_svg_property(node, "mask");
         if (mask == "none" || !mask.starts_with("url(")) return;
         const std::size_t open = mask.find('#');
         const std::size_t close = mask.find_first_of(")'\"", open);
@@ -83,8 +66,8 @@ class Masks {
     /// Whether all that the mask holds is seen through, and nothing else.
     [[nodiscard]] bool is_a_clip(const xml_node& mask) const {
         if (sheet_.find("fill") != std::string::npos) return false;
-        const bool alpha = property_of(mask, "mask-type") == "alpha";
-        const std::string inherited = property_of(mask, "fill");
+        const bool alpha = svg_property(mask, "mask-type") == "alpha";
+        const std::string inherited = svg_property(mask, "fill");
         std::size_t shapes = 0;
         for (const xml_node& child : mask.children()) {
             if (child.type() != pugi::node_element) continue;
@@ -92,13 +75,13 @@ class Masks {
             if (!is_one_of(local_name(child.name()),
                            {"path", "rect", "circle", "ellipse", "polygon", "polyline", "use"}))
                 return false;
-            std::string fill = property_of(child, "fill");
+            std::string fill = svg_property(child, "fill");
             if (fill.empty()) fill = inherited;
-            const std::string stroke = property_of(child, "stroke");
+            const std::string stroke = svg_property(child, "stroke");
             const bool seen = alpha ? !fill.starts_with("url(") : !is_black(fill);
             if (!seen || fill == "none" || (!stroke.empty() && stroke != "none")) return false;
             for (const char* fade : {"opacity", "fill-opacity", "clip-path", "mask"})
-                if (!property_of(child, fade).empty()) return false;
+                if (!svg_property(child, fade).empty()) return false;
             ++shapes;
         }
         return shapes == 1;
@@ -116,7 +99,7 @@ class Masks {
                 made.remove_attribute(own);
         }
         const std::string link = "url(#" + id + ")";
-        if (property_of(node, "clip-path").empty() &&
+        if (svg_property(node, "clip-path").empty() &&
             sheet_.find("clip-path") == std::string::npos) {
             node.append_attribute("clip-path").set_value(link.c_str());
             return;

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "lodlab/lod2d/svg_style.hpp"
+#include "lodlab/lod2d/svg_words.hpp"
 
 namespace lod2d {
 namespace {
@@ -95,16 +96,24 @@ std::optional<SvgStyle> PlainWalk::style_of(const xml_node& node, const SvgStyle
     return plain_style(node, parent, [this](std::string_view id) { return gradient_paint(id); });
 }
 
+/// Of a font, a window, or computed; millimetres, too, in quarters.
+bool is_relative_unit(const std::string& unit) {
+    return unit.starts_with("calc") ||
+           is_one_of(unit, {"em",  "ex",  "ch",  "rem", "ic",   "cap",  "lh",  "rlh", "q",
+                            "vw",  "vh",  "vi",  "vb",  "vmin", "vmax", "svw", "svh", "lvw",
+                            "lvh", "dvw", "dvh", "rex", "rch",  "ric",  "rcap"});
+}
+
 bool has_relative_lengths(const xml_node& node, bool percentages_too) {
     for (const char* name :
          {"x", "y", "cx", "cy", "r", "rx", "ry", "width", "height", "x1", "y1", "x2", "y2"}) {
         const std::string_view text = node.attribute(name).value();
-        const std::string_view of_window = "vw vh vmin vmax calc em ex ch rem";
         if (text.ends_with('%') && (percentages_too || name[0] == 'r')) return true;
-        const std::size_t unit = text.find_first_not_of("+-.0123456789 ");
-        if (unit != std::string_view::npos && text.size() - unit >= 2 &&
-            of_window.find(text.substr(unit, 4)) != std::string_view::npos)
-            return true;
+        const std::size_t at = text.find_first_not_of("+-.0123456789 ");
+        if (at == std::string_view::npos) continue;
+        const std::string unit = lower(text.substr(at));
+        const bool known = is_one_of(unit, {"px", "pt", "pc", "mm", "cm", "in"});
+        if (known ? unit != text.substr(at) : is_relative_unit(unit)) return true;
     }
     return false;
 }

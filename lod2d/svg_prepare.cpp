@@ -6,6 +6,7 @@
 
 #include "lodlab/lod2d/svg_css.hpp"
 #include "lodlab/lod2d/svg_mask.hpp"
+#include "lodlab/lod2d/svg_property.hpp"
 #include "lodlab/lod2d/svg_uses.hpp"
 #include "lodlab/lod2d/svg_words.hpp"
 
@@ -43,22 +44,16 @@ class Preparation {
     void write_arcs(xml_node node) const;
     void check_grammar(const xml_node& node, std::string_view tag) const;
     void prepare_root();
+    [[nodiscard]] SvgFrame frame() const;
+    void place(xml_node node);
 
     const SvgXml& xml_;
     const SvgSettings& settings_;
     pugi::xml_document document_;
     PreparedSvg prepared_;
     SvgCss css_{prepared_.notes};
+    std::string sheets_;  ///< of all of them
 };
-
-/// All digits of a number.
-std::string decimal(double value) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text.precision(17);
-    text << value;
-    return text.str();
-}
 
 std::string text_of(const xml_node& node) {
     std::string text;
@@ -88,6 +83,7 @@ void Preparation::learn(const xml_node& node) {
     if (local_name(node.name()) == "style" && is_svg_element(node)) {
         SvgNotes unheard;
         if (is_read(node, unheard)) css_.learn(text_of(node));
+        sheets_ += text_of(node);
     }
     for (const xml_node& child : node.children())
         if (child.type() == pugi::node_element) learn(child);
@@ -188,7 +184,7 @@ void Preparation::place_origin(xml_node node) {
     }
     node.remove_attribute("transform-origin");
     const bool css = style.find("transform:") != std::string::npos;
-    if (origin.empty() || (!node.attribute("transform") && !css)) return;
+    if (is_svg_origin(trimmed(origin)) || (!node.attribute("transform") && !css)) return;
     std::istringstream words(origin);
     std::string x, y, z;
     words >> x >> y >> z;
@@ -204,6 +200,36 @@ void Preparation::place_origin(xml_node node) {
     } catch (const SvgTextError&) {
         prepared_.notes.doubt("its transform-origin '" + origin + "' is not followed here");
     }
+}
+
+/// Whether lengths among its attributes say what is drawn.
+bool takes_lengths(const xml_node& node) {
+    return node.parent().type() == pugi::node_element &&
+           !is_one_of(local_name(node.name()),
+                      {"linearGradient", "radialGradient", "pattern", "filter", "mask", "stop"});
+}
+
+/// Places and transforms that `style` says where a library reads attributes alone.
+void Preparation::place(xml_node node) {
+    const std::string_view tag = local_name(node.name());
+    if (tag == "use")
+        for (const char* name : {"x", "y"}) {
+            const std::string value = svg_style_property(node, name);
+            if (value.empty()) continue;
+            remove_svg_property(node, name);
+            node.append_attribute(name).set_value(value.c_str());
+        }
+    const bool is_root = node.parent().type() != pugi::node_element;
+    if (is_one_of(tag, {"use", "symbol", "svg"}) && !is_root)
+        for (const char* name : {"x", "y", "width", "height"})
+            if (!svg_style_property(node, name).empty())
+                prepared_.notes.doubt("its <" + std::string(tag) + "> has a " + name +
+                                      " in its style, which is not followed here");
+    if (!svg_style_property(node, "transform").empty()) node.remove_attribute("transform");
+    if (css_.sheets_transform() && node.attribute("transform"))
+        prepared_.notes.doubt(
+            "its style sheet transforms elements, which is not followed here where they have a "
+            "transform of their own");
 }
 
 void Preparation::prepare_attributes(xml_node node) {
@@ -230,7 +256,7 @@ void Preparation::prepare_attributes(xml_node node) {
         }
         if (name == "style")
             value = css_.declarations(value);
-        else if (is_presentation(name))
+        else if (is_presentation(name) || (is_svg_length(name) && takes_lengths(node)))
             value = css_.value(name, value);
         else
             continue;
@@ -240,6 +266,7 @@ void Preparation::prepare_attributes(xml_node node) {
             attribute.set_value(value.c_str());
     }
     for (const std::string& name : dropped) node.remove_attribute(name.c_str());
+    place(node);
     if (node.attribute("pathLength") && xml_.source.find("dash") != std::string::npos)
         prepared_.notes.doubt("it measures dashes by pathLength, which is not followed here");
 }
@@ -300,10 +327,31 @@ void Preparation::prepare_root() {
     if (!root.attribute("xmlns:xlink")) set("xmlns:xlink", "http://www.w3.org/1999/xlink");
 }
 
+SvgFrame Preparation::frame() const {
+    SvgFrame frame;
+    const xml_node root = document_.document_element();
+    const auto visit = [&](const auto& self, const xml_node& node) -> void {
+        const std::string_view tag = local_name(node.name());
+        frame.has_uses = frame.has_uses || tag == "use";
+        frame.has_viewports =
+            frame.has_viewports || tag == "symbol" || (tag == "svg" && node != root);
+        for (const xml_node& child : node.children()) self(self, child);
+    };
+    visit(visit, root);
+    if (!frame.has_viewports && xml_.source.find("marker") == std::string::npos)
+        frame.percent_of = svg_page_of(xml_).percent_of();
+    const bool sheets_size = sheets_.find("font") != std::string::npos;
+    const std::string style = root.attribute("style").value();
+    if (!sheets_size && !root.attribute("font-size") && style.find("font") == std::string::npos)
+        frame.root_font = 16;
+    return frame;
+}
+
 PreparedSvg Preparation::prepare() {
     check_svg_uses(xml_, settings_);
     css_.learn_root(document_.document_element().attribute("style").value());
     learn(document_.document_element());
+    css_.set_frame(frame());
     if (xml_.source.find("<?xml-stylesheet") != std::string::npos)
         prepared_.notes.doubt(
             "its style sheet is another file (xml-stylesheet), which is not read");

@@ -104,7 +104,8 @@ bool moves_or_shapes(std::string_view property) {
                                 "transform", "translate", "rotate", "scale", "all", "zoom",
                                 "content-visibility", "clip"}) ||
            property.starts_with("animation") || property.starts_with("offset") ||
-           property.starts_with("--") || property.starts_with("mask-");
+           property.starts_with("--") || property.starts_with("mask-") ||
+           property.starts_with("-webkit-") || property == "perspective";
 }
 
 class PlainReader {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 
@@ -26,6 +28,15 @@ namespace lod2d {
 [[nodiscard]] inline bool is_one_of(std::string_view word,
                                     std::initializer_list<std::string_view> words) {
     return std::ranges::find(words, word) != words.end();
+}
+
+/// All digits of a number.
+[[nodiscard]] inline std::string decimal(double value) {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text.precision(17);
+    text << value;
+    return text.str();
 }
 
 }  // namespace lod2d
