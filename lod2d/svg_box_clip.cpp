@@ -24,41 +24,6 @@ std::optional<double> number_of(const xml_node& node, const char* name, double o
     }
 }
 
-/// The box of a shape's outline in its own frame; nothing where that takes more than its numbers.
-std::optional<Box> box_of(const xml_node& node) {
-    const std::string_view tag = local_name(node.name());
-    const auto n = [&](const char* name) { return number_of(node, name, 0); };
-    const auto from_to = [](const Point& low, const Point& high) {
-        Box box;
-        box.hold(low);
-        box.hold(high);
-        return box;
-    };
-    if (tag == "rect") {
-        if (!n("x") || !n("y") || !n("width") || !n("height")) return std::nullopt;
-        return from_to({*n("x"), *n("y")}, {*n("x") + *n("width"), *n("y") + *n("height")});
-    }
-    if (tag == "circle" || tag == "ellipse") {
-        const auto rx = n(tag == "circle" ? "r" : "rx");
-        const auto ry = n(tag == "circle" ? "r" : "ry");
-        if (!n("cx") || !n("cy") || !rx || !ry) return std::nullopt;
-        return from_to({*n("cx") - *rx, *n("cy") - *ry}, {*n("cx") + *rx, *n("cy") + *ry});
-    }
-    CurvePath path;
-    if (tag == "path") {
-        path = parse_svg_path(node.attribute("d").value());
-    } else if (tag == "polygon" || tag == "polyline") {
-        for (const Point& p : parse_svg_points(node.attribute("points").value()))
-            path.empty() ? path.move_to(p) : path.line_to(p);
-    }
-    if (path.empty()) return std::nullopt;
-    Box box;
-    const double extent = path.control_box().size().maxCoeff();
-    for (const Ring& ring : path.flatten(std::max(1e-9 * extent, 1e-300)))
-        for (const Point& p : ring) box.hold(p);
-    return box;
-}
-
 class BoxClips {
   public:
     BoxClips(pugi::xml_document& document, SvgNotes& notes) : notes_(notes) {
@@ -70,7 +35,7 @@ class BoxClips {
             const std::string id = clip_of(node);
             const auto found = clips_.find(id);
             if (found == clips_.end()) continue;
-            const auto box = box_of(node);
+            const auto box = svg_box_of(node);
             if (!box || box->size().x() <= 0 || box->size().y() <= 0) {
                 SvgNotes::count(notes_.left_out, "clip in units of a box",
                                 "clips in units of a box");
@@ -137,6 +102,40 @@ class BoxClips {
 };
 
 }  // namespace
+
+std::optional<Box> svg_box_of(const xml_node& node) {
+    const std::string_view tag = local_name(node.name());
+    const auto n = [&](const char* name) { return number_of(node, name, 0); };
+    const auto from_to = [](const Point& low, const Point& high) {
+        Box box;
+        box.hold(low);
+        box.hold(high);
+        return box;
+    };
+    if (tag == "rect") {
+        if (!n("x") || !n("y") || !n("width") || !n("height")) return std::nullopt;
+        return from_to({*n("x"), *n("y")}, {*n("x") + *n("width"), *n("y") + *n("height")});
+    }
+    if (tag == "circle" || tag == "ellipse") {
+        const auto rx = n(tag == "circle" ? "r" : "rx");
+        const auto ry = n(tag == "circle" ? "r" : "ry");
+        if (!n("cx") || !n("cy") || !rx || !ry) return std::nullopt;
+        return from_to({*n("cx") - *rx, *n("cy") - *ry}, {*n("cx") + *rx, *n("cy") + *ry});
+    }
+    CurvePath path;
+    if (tag == "path") {
+        path = parse_svg_path(node.attribute("d").value());
+    } else if (tag == "polygon" || tag == "polyline") {
+        for (const Point& p : parse_svg_points(node.attribute("points").value()))
+            path.empty() ? path.move_to(p) : path.line_to(p);
+    }
+    if (path.empty()) return std::nullopt;
+    Box box;
+    const double extent = path.control_box().size().maxCoeff();
+    for (const Ring& ring : path.flatten(std::max(1e-9 * extent, 1e-300)))
+        for (const Point& p : ring) box.hold(p);
+    return box;
+}
 
 void box_clips_to_user_space(pugi::xml_document& document, SvgNotes& notes) {
     BoxClips(document, notes).resolve();

@@ -147,6 +147,7 @@ bool is_for_screens(std::string_view query, bool& known) {
 
 void SvgCss::learn_from(std::string_view declarations, bool of_root) {
     visit_declarations(declarations, [&](const std::string& name, std::string_view value) {
+        transforms_ = transforms_ || name == "transform" || name == "-webkit-transform";
         if (!name.starts_with("--")) return;
         const auto [custom, added] = custom_.try_emplace(name);
         custom->second.of_root = (added || custom->second.of_root) && of_root;
@@ -186,7 +187,9 @@ void SvgCss::learn(std::string_view text) {
 }
 
 void SvgCss::learn_root(std::string_view declarations) {
+    const bool sheets_transform = transforms_;
     learn_from(without_comments(declarations), true);
+    transforms_ = sheets_transform;
 }
 
 std::string SvgCss::substituted(std::string text, int& left) {
@@ -299,7 +302,9 @@ std::string SvgCss::sheet(std::string_view text) {
                     SvgSelectors::may_take_viewports(*followed, frame_))
                     notes_.doubt("its style sheet sets " + name +
                                  ", which is not followed here for <use> and <svg>");
-                transforms_ = transforms_ || name == "transform";
+                if (name == "transform" &&
+                    is_one_of(lower(*followed), {"svg", ":root", "svg:root", "*"}))
+                    notes_.doubt("the transform of its outermost <svg> is not followed here");
             });
             result += *followed + "{" + declarations(block) + "}\n";
         },

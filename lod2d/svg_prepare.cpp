@@ -320,7 +320,7 @@ void Preparation::prepare_root() {
     for (const char* name : {"x", "y"}) root.remove_attribute(name);
     set("width", "100%");
     set("height", "100%");
-    if (root.attribute("transform"))
+    if (!svg_property(root, "transform").empty())
         prepared_.notes.doubt("the transform of its outermost <svg> is not followed here");
     if (std::string_view(root.name()) == "svg" && !root.attribute("xmlns"))
         set("xmlns", "http://www.w3.org/2000/svg");
@@ -357,7 +357,9 @@ PreparedSvg Preparation::prepare() {
             "its style sheet is another file (xml-stylesheet), which is not read");
     (void)prepare_element(document_.document_element(), true);
     prepare_root();
+    check_viewports(document_, prepared_.notes);
     masks_to_clips(document_, prepared_.notes);
+    unnest_clips(document_, prepared_.notes);
     box_clips_to_user_space(document_, prepared_.notes);
     fill_patterns(document_, prepared_.notes);
     std::ostringstream text;

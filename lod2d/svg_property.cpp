@@ -29,4 +29,27 @@ void remove_svg_property(pugi::xml_node node, const std::string& name) {
     }
 }
 
+pugi::xml_node wrap_in_group(pugi::xml_node node, const std::string& sheets) {
+    const auto sheets_hold = [&](const std::string& what) {
+        return sheets.find(what) < sheets.size();
+    };
+    const std::string id = node.attribute("id").value();
+    const bool by_place = sheets.find_first_of(">+~") < sheets.size() || sheets_hold("-child") ||
+                          sheets_hold("-of-type");
+    if (by_place || sheets_hold("transform") || !svg_style_property(node, "transform").empty() ||
+        (!id.empty() && sheets_hold("#" + id)))
+        return {};
+    const std::string name = node.name();
+    const std::size_t colon = name.find(':');
+    const std::string prefix = colon == std::string::npos ? "" : name.substr(0, colon + 1);
+    pugi::xml_node group = node.parent().insert_child_before((prefix + "g").c_str(), node);
+    for (const char* moved : {"id", "transform"}) {
+        if (!node.attribute(moved)) continue;
+        group.append_attribute(moved).set_value(node.attribute(moved).value());
+        node.remove_attribute(moved);
+    }
+    group.append_move(node);
+    return group;
+}
+
 }  // namespace lod2d
