@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 
 #include "lodlab/lod2d/svg_source.hpp"
+#include "lodlab/lod2d/svg_words.hpp"
 
 namespace lod2d {
 namespace {
@@ -102,6 +103,67 @@ void check_depth(const SvgXml& xml, const xml_node& root) {
     }
 }
 
+/// What a browser takes for broken where pugixml does not: an & that names nothing, and an
+/// attribute that stands twice.
+class WellFormedness {
+  public:
+    explicit WellFormedness(const SvgXml& xml) : xml_(xml), known_(svg_entities(xml.source)) {}
+
+    void check_references() const {
+        struct Skipped {
+            std::string_view opening;
+            std::string_view closing;
+        };
+        static constexpr Skipped skipped[] = {
+            {"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}, {"<!DOCTYPE", ""}};
+        const std::string_view source = xml_.source;
+        for (std::size_t i = source.find_first_of("<&"); i < source.size();
+             i = source.find_first_of("<&", i + 1)) {
+            if (source[i] == '&') check_reference(i);
+            for (const auto& [opening, closing] : skipped) {
+                if (!source.substr(i).starts_with(opening)) continue;
+                i = closing.empty() ? end_of_doctype(i) : source.find(closing, i);
+                if (i >= source.size()) return;
+                break;
+            }
+        }
+    }
+
+    void check_attributes(const xml_node& node) const {
+        for (const pugi::xml_attribute& attribute : node.attributes())
+            if (node.attribute(attribute.name()) != attribute)
+                xml_.refuse(node, std::string("broken XML: the attribute ") + attribute.name() +
+                                      " stands twice");
+        for (const xml_node& child : node.children()) check_attributes(child);
+    }
+
+  private:
+    [[nodiscard]] std::size_t end_of_doctype(std::size_t at) const {
+        const std::size_t subset = xml_.source.find_first_of("[>", at);
+        if (subset >= xml_.source.size() || xml_.source[subset] == '>') return subset;
+        return xml_.source.find("]", subset);
+    }
+
+    void check_reference(std::size_t at) const {
+        const std::string_view rest = std::string_view(xml_.source).substr(at + 1, 100);
+        const std::string_view name = rest.substr(0, std::min(rest.find(';'), rest.size()));
+        const bool ends = name.size() < rest.size() && !name.empty() &&
+                          name.find_first_of(" \t\r\n\f<>&\"'") == std::string_view::npos;
+        const bool declared = name.starts_with('#') ||
+                              is_one_of(name, {"amp", "lt", "gt", "quot", "apos"}) ||
+                              std::ranges::find(known_, name, &SvgEntity::name) != known_.end() ||
+                              xml_.source.find("<!ENTITY %") != std::string::npos;
+        if (ends && declared) return;
+        lod::refuse_input("cannot read " + xml_.name + ", " + svg_place(xml_.source, at),
+                          ends ? "broken XML: the entity &" + std::string(name) +
+                                     "; is not declared; write its text"
+                               : std::string("broken XML: a bare &; write &amp;"));
+    }
+
+    const SvgXml& xml_;
+    std::vector<SvgEntity> known_;
+};
+
 template <typename Parse>
 auto parsed(const SvgXml& xml, const xml_node& element, const char* attribute, Parse parse)
     -> decltype(parse(std::string_view())) {
@@ -156,6 +218,9 @@ SvgXml parse_svg_xml(const std::string& name, std::string_view bytes, std::size_
     if (local_name(root.name()) != "svg")
         xml.refuse(root, "the outermost element is not <svg>; give an SVG file");
     check_depth(xml, root);
+    const WellFormedness form(xml);
+    form.check_references();
+    form.check_attributes(root);
     Entities(xml).resolve(root);
     if (!is_svg_element(root))
         xml.refuse(root, "its <svg> is of another namespace; write xmlns=\"" +

@@ -218,6 +218,19 @@ TEST_CASE("a file that is no SVG or draws nothing is refused with its place", "[
     check_refused(svg("<polygon points='0,0 1,x'/>"), "broken points");
 }
 
+TEST_CASE("what a browser takes for broken XML is refused with its place", "[svg]") {
+    check_refused("<svg>\n<style>.a{fill:red} & b{x:y}</style><rect width='1' height='1'/></svg>",
+                  "line 2, column 21: broken XML: a bare &");
+    check_refused(svg("<title>A&B</title><rect width='1' height='1'/>"), "a bare &");
+    check_refused(svg("<rect id='a&b;c' width='1' height='1'/>"), "&b; is not declared");
+    check_refused(svg("<rect x='1' width='1' height='1' x='2'/>"), "attribute x stands twice");
+    for (const char* whole : {"<style><![CDATA[a & b{}]]></style>", "<!-- a & b -->", "<?a & b?>",
+                              "<title>&amp;&lt;&gt;&quot;&apos;&#65;&#x41;</title>"}) {
+        INFO(whole);
+        CHECK_NOTHROW(parse_svg("a.svg", svg(std::string(whole) + "<rect width='1' height='1'/>")));
+    }
+}
+
 TEST_CASE("elements that would draw themselves or explode are refused", "[svg]") {
     check_refused(svg("<g id='a'><use href='#a'/></g>"), "draws itself");
     check_refused(svg("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>"),
