@@ -80,6 +80,17 @@ bool are_in_line(const Point& before, const Point& after) {
     return std::abs(sine) < 1e-6 && before.dot(after) > 0;
 }
 
+/// Takes off the last point, which repeats the first.
+void close_chain(CurvePath::Chain& chain, bool closed) {
+    const Point heading = chain.before.back();
+    chain.points.pop_back();
+    chain.before.pop_back();
+    chain.after.pop_back();
+    chain.smooth.pop_back();
+    chain.smooth.front() = closed && are_in_line(heading, chain.after.front());
+    chain.before.front() = heading;
+}
+
 }  // namespace
 
 void CurvePath::move_to(const Point& p) {
@@ -195,33 +206,41 @@ Box CurvePath::control_box() const {
     return box;
 }
 
+void CurvePath::Chain::append(const Point& p, bool is_smooth, const Point& from, const Point& on) {
+    points.push_back(p);
+    before.push_back(from);
+    after.push_back(on);
+    smooth.push_back(is_smooth);
+}
+
 std::vector<CurvePath::Chain> CurvePath::chains(double tolerance) const {
     std::vector<Chain> chains;
     for (const Subpath& path : subpaths_) {
-        auto& [ring, first, heading, smooth] = chains.emplace_back();
-        ring.push_back(path.points[0]);
-        smooth.push_back(false);
+        Chain& chain = chains.emplace_back();
+        chain.append(path.points[0]);
         std::size_t next = 1;
+        Point heading = Point::Zero();
+        Ring cuts;
         for (bool curved : path.curved) {
             const Point* q = path.points.data() + next;
             const Point start =
                 curved ? direction(q[-1], {q[0], q[1], q[2]}) : direction(q[-1], {q[0]});
-            if (next == 1) first = start;
-            smooth.back() = are_in_line(heading, start);
+            chain.after.back() = start;
+            chain.smooth.back() = are_in_line(heading, start);
+            cuts.clear();
             if (curved)
-                append_cubic(ring, q[-1], q[0], q[1], q[2], tolerance);
+                append_cubic(cuts, q[-1], q[0], q[1], q[2], tolerance);
             else
-                ring.push_back(q[0]);
-            smooth.resize(ring.size(), true);
-            heading = curved ? Point(-direction(q[2], {q[1], q[0], q[-1]})) : start;
+                cuts.push_back(q[0]);
+            for (const Point& p : cuts) chain.append(p, true);
+            const Point end = curved ? Point(-direction(q[2], {q[1], q[0], q[-1]})) : start;
+            if (!end.isZero()) heading = end;
+            chain.before.back() = heading;
             next += curved ? 3 : 1;
         }
-        smooth.back() = false;
-        if (ring.size() > 1 && ring.back() == ring.front()) {
-            ring.pop_back();
-            smooth.pop_back();
-            smooth.front() = path.closed && are_in_line(heading, first);
-        }
+        chain.smooth.back() = false;
+        if (chain.points.size() > 1 && chain.points.back() == chain.points.front())
+            close_chain(chain, path.closed);
     }
     return chains;
 }

@@ -63,9 +63,13 @@ class CurvePath {
     /// The same, with what tells curves from corners.
     struct Chain {
         Ring points;
-        Point start = Point::Zero();  ///< unit vectors along the path at its ends, or zero
-        Point end = Point::Zero();
+        /// Unit vectors along the path before and after each point; zero where that is not known.
+        std::vector<Point> before;
+        std::vector<Point> after;
         std::vector<bool> smooth;  ///< of each point: the path has no corner there
+
+        void append(const Point& p, bool is_smooth = false, const Point& from = Point::Zero(),
+                    const Point& on = Point::Zero());
     };
     [[nodiscard]] std::vector<Chain> chains(double tolerance) const;
 

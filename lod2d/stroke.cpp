@@ -21,29 +21,32 @@ double cross(const Point& a, const Point& b) {
 
 using Chain = CurvePath::Chain;
 
-void append(Chain& chain, const Point& p, bool smooth = false) {
-    chain.points.push_back(p);
-    chain.smooth.push_back(smooth);
+/// Appends point i of another chain.
+void append(Chain& chain, const Chain& of, std::size_t i) {
+    chain.append(of.points[i], of.smooth[i], of.before[i], of.after[i]);
 }
 
 /// A subpath as a chain whose end is repeated only where the pen comes back without closing.
 Chain chain_of(Chain chain, const CurvePath::Subpath& path) {
     if (!path.closed && path.points.size() > 1 && path.points.back() == path.points.front())
-        append(chain, path.points.front());
+        chain.append(path.points.front(), false, chain.before.front());
     return chain;
 }
 
 /// Without points that repeat the one before.
 Chain without_repeats(const Chain& chain, bool closed) {
     Chain result;
-    result.start = chain.start;
-    result.end = chain.end;
-    for (std::size_t i = 0; i < chain.points.size(); ++i)
-        if (result.points.empty() || chain.points[i] != result.points.back())
-            append(result, chain.points[i], chain.smooth[i]);
+    for (std::size_t i = 0; i < chain.points.size(); ++i) {
+        if (result.points.empty() || chain.points[i] != result.points.back()) {
+            append(result, chain, i);
+        } else {
+            result.after.back() = chain.after[i];
+            result.smooth.back() = chain.smooth[i];
+        }
+    }
     while (closed && result.points.size() > 1 && result.points.front() == result.points.back()) {
+        result.before.front() = result.before.back();
         result.points.pop_back();
-        result.smooth.pop_back();
     }
     return result;
 }
@@ -85,6 +88,8 @@ class Pen {
     [[nodiscard]] bool is_tight(const Piece& piece) const {
         return r_ * std::abs(piece.turn()) > (piece.to - piece.from).norm();
     }
+    void corner(const Point& at, const Point& line_before, const Point& before, const Point& after,
+                const Point& line_after);
     void straight(const Piece& piece);
     void bent(std::span<const Piece> pieces);
 
@@ -161,6 +166,17 @@ void Pen::dot(const Point& at, const Point& along) {
     if (style_.cap == StrokeCap::square) end(at, -along);
 }
 
+/// A corner of the path, whose directions are those of its curves, where they are known, and not
+/// of the lines along them.
+void Pen::corner(const Point& at, const Point& line_before, const Point& before, const Point& after,
+                 const Point& line_after) {
+    const Point& from = before.isZero() ? line_before : before;
+    const Point& to = after.isZero() ? line_after : after;
+    if (from != line_before) round_join(at, line_before, from);
+    join(at, from, to);
+    if (to != line_after) round_join(at, to, line_after);
+}
+
 void Pen::straight(const Piece& piece) {
     const Point side = r_ * turned_left(piece.along);
     add({piece.from - side, piece.to - side, piece.to + side, piece.from + side});
@@ -204,21 +220,21 @@ void Pen::bent(std::span<const Piece> pieces) {
 }
 
 void Pen::follow(const Chain& chain, bool closed, const Point& heading) {
-    const auto [line, start, finish, smooth] = without_repeats(chain, closed);
+    const auto [line, before, after, smooth] = without_repeats(chain, closed);
     if (line.size() == 1) return dot(line[0], heading);
     const std::size_t n = line.size();
     std::vector<Piece> pieces(closed ? n : n - 1);
     for (std::size_t i = 0; i < pieces.size(); ++i)
         pieces[i] = {line[i], line[(i + 1) % n], (line[(i + 1) % n] - line[i]).normalized(), 0, 0};
     for (std::size_t i = closed ? 0 : 1; i < pieces.size(); ++i) {
-        Piece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
-        if (smooth[i]) before.turn_to = pieces[i].turn_from = cross(before.along, pieces[i].along);
+        Piece& last = pieces[(i + pieces.size() - 1) % pieces.size()];
+        if (smooth[i]) last.turn_to = pieces[i].turn_from = cross(last.along, pieces[i].along);
     }
     Piece& first = pieces.front();
     Piece& last = pieces.back();
     if (!closed) {  // the path's ends turn by half as much
-        first.turn_from = 2 * cross(start, first.along);
-        last.turn_to = 2 * cross(last.along, finish);
+        first.turn_from = 2 * cross(after[0], first.along);
+        last.turn_to = 2 * cross(last.along, before[n - 1]);
     }
     for (std::size_t i = 0; i < pieces.size();) {
         std::size_t end = i;
@@ -230,14 +246,17 @@ void Pen::follow(const Chain& chain, bool closed, const Point& heading) {
         i = end;
     }
     for (std::size_t i = closed ? 0 : 1; i < pieces.size(); ++i) {
-        const Piece& before = pieces[(i + pieces.size() - 1) % pieces.size()];
-        const bool bends = is_tight(before) && is_tight(pieces[i]) && smooth[i];
-        if (bends) round_join(line[i], before.along, pieces[i].along);
-        if (!bends) join(line[i], before.along, pieces[i].along);
+        const Piece& from = pieces[(i + pieces.size() - 1) % pieces.size()];
+        if (!smooth[i])
+            corner(line[i], from.along, before[i], after[i], pieces[i].along);
+        else if (is_tight(from) && is_tight(pieces[i]))
+            round_join(line[i], from.along, pieces[i].along);
+        else
+            join(line[i], from.along, pieces[i].along);
     }
     if (closed) return;
-    if (is_tight(first) && first.turn_from != 0) round_join(line.front(), start, first.along);
-    if (is_tight(last) && last.turn_to != 0) round_join(line.back(), last.along, finish);
+    if (is_tight(first) && first.turn_from != 0) round_join(line.front(), after[0], first.along);
+    if (is_tight(last) && last.turn_to != 0) round_join(line.back(), last.along, before[n - 1]);
     end(line.front(), -first.along);
     end(line.back(), last.along);
 }
@@ -264,7 +283,7 @@ class Dashes {
     template <typename Visit>
     void cut(const Chain& line, Visit&& visit) {
         Chain dash;
-        if (on()) append(dash, line.points[0]);
+        if (on()) append(dash, line, 0);
         for (std::size_t i = 1; i < line.points.size(); ++i) {
             const Point& a = line.points[i - 1];
             const Point& b = line.points[i];
@@ -274,16 +293,16 @@ class Dashes {
                 done += left_;
                 const Point p = a + (b - a) * (done / length);
                 if (on()) {
-                    append(dash, p);
+                    dash.append(p);
                     if (!visit(std::move(dash), Point((b - a) / length))) return;
                     dash = {};
                 }
                 step();
                 left_ = lengths_[at_];
-                if (on()) append(dash, p);
+                if (on()) dash.append(p);
             }
             left_ -= length - done;
-            if (on()) append(dash, b, line.smooth[i]);
+            if (on()) append(dash, line, i);
         }
         if (dash.points.size() > 1) visit(std::move(dash), Point(1, 0));
     }
@@ -317,7 +336,7 @@ template <typename Visit>
 void visit_dashes(const Chain& line, const CurvePath::Subpath& path, const StrokeStyle& style,
                   Visit&& visit) {
     Chain whole = chain_of(line, path);
-    if (path.closed) append(whole, line.points[0]);
+    if (path.closed) append(whole, line, 0);
     Dashes dashes(style);
     std::optional<Dash> first;
     std::optional<Dash> last;
@@ -333,7 +352,7 @@ void visit_dashes(const Chain& line, const CurvePath::Subpath& path, const Strok
     if (first && dashes.on()) {
         if (last) {
             for (std::size_t i = 1; i < first->chain.points.size(); ++i)
-                append(last->chain, first->chain.points[i], first->chain.smooth[i]);
+                append(last->chain, first->chain, i);
             last->heading = first->heading;
             first.reset();
         } else {

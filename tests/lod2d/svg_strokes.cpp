@@ -65,3 +65,23 @@ TEST_CASE("a pen wider than a bend covers what lies beyond its centre", "[svg][s
     };
     check(dashed, 4e-3);
 }
+
+TEST_CASE("corners turn by the directions of their curves, not of lines along them",
+          "[svg][svg-cases]") {
+    // The curve comes in at a right angle to the line that follows, though the last line along it
+    // does not: a miter limit of 1.42 takes the corner (sqrt 2), one of 1.41 cuts it.
+    const auto area = [](const char* d, const char* limit) {
+        return parse_svg("corner.svg",
+                         std::string("<svg><path d='") + d +
+                             "' fill='none' stroke='#000' stroke-width='8' stroke-miterlimit='" +
+                             limit + "'/></svg>")
+            .area;
+    };
+    for (const char* d :
+         {"M4 20C32 30 32 8 32 8L60 8", "M60 8L32 8C32 8 32 30 4 20", "M4 20C32 30 32 8 32 8H4"}) {
+        INFO(d);
+        CHECK(area(d, "1.42") == Approx(area(d, "9")).epsilon(1e-6));
+        CHECK(area(d, "1.41") == Approx(area(d, "1")).epsilon(1e-3));
+        CHECK(area(d, "1.41") < area(d, "1.42") * 0.99);
+    }
+}
