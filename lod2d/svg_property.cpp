@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <pugixml.hpp>
 
+#include "lodlab/lod2d/svg_words.hpp"
+#include "lodlab/lod2d/svg_xml.hpp"
+
 namespace lod2d {
 
 std::string svg_style_property(const pugi::xml_node& node, const std::string& name) {
@@ -30,6 +33,10 @@ void remove_svg_property(pugi::xml_node node, const std::string& name) {
 }
 
 pugi::xml_node wrap_in_group(pugi::xml_node node, const std::string& sheets) {
+    const bool is_drawn =
+        is_one_of(local_name(node.name()), {"g", "a", "svg", "use", "switch", "path", "rect",
+                                            "circle", "ellipse", "line", "polygon", "polyline"});
+    if (!is_drawn || node.parent().type() != pugi::node_element) return {};
     const auto sheets_hold = [&](const std::string& what) {
         return sheets.find(what) < sheets.size();
     };

@@ -20,7 +20,7 @@ namespace lod2d {
 void remove_svg_property(pugi::xml_node node, const std::string& name);
 
 /// Puts an element in a group of its own, which takes over its id and its transform; no group where
-/// the style sheets of the document might tell.
+/// the style sheets of the document might tell, or the element is the outermost or draws nothing.
 [[nodiscard]] pugi::xml_node wrap_in_group(pugi::xml_node node, const std::string& sheets);
 
 }  // namespace lod2d

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <pugixml.hpp>
+#include <set>
 
 #include "lodlab/lod2d/svg_source.hpp"
 #include "lodlab/lod2d/svg_words.hpp"
@@ -130,8 +131,9 @@ class WellFormedness {
     }
 
     void check_attributes(const xml_node& node) const {
+        std::set<std::string_view> names;
         for (const pugi::xml_attribute& attribute : node.attributes())
-            if (node.attribute(attribute.name()) != attribute)
+            if (!names.insert(attribute.name()).second)
                 xml_.refuse(node, std::string("broken XML: the attribute ") + attribute.name() +
                                       " stands twice");
         for (const xml_node& child : node.children()) check_attributes(child);

@@ -95,6 +95,10 @@ TEST_CASE("a mask, clip or window that is not followed is said", "[svg][svg-case
         {STRIPE "<style>.k{clip-path:url(#c)}</style><clipPath id='c' clip-path='url(#a)'><rect "
                 "width='40' height='4'/></clipPath><rect class='k' width='8' height='4'/>",
          "1 clip of a clip"},
+        {STRIPE "<clipPath id='c' clip-path='url(#a)'><rect width='40' height='4'/></clipPath>"
+                "<symbol id='s' clip-path='url(#c)'><rect width='8' height='4'/></symbol>"
+                "<use href='#s'/>",
+         "1 clip of a clip"},
         {"<symbol id='s' viewBox='0 0 8 4' preserveAspectRatio='xMidYMid slice'><rect width='8' "
          "height='4'/></symbol><use href='#s' width='16' height='8'/>",
          "<symbol> that it uses is cut off by a slice"},
@@ -113,5 +117,18 @@ TEST_CASE("a mask, clip or window that is not followed is said", "[svg][svg-case
         INFO(remarks_of(shape));
         CHECK(shape.area == Approx(half).epsilon(1e-6));
         CHECK(remarks_of(shape).find(one.words) != std::string::npos);
+    }
+}
+
+TEST_CASE("an outermost element with a mask or a clip of a clip is said", "[svg][svg-cases]") {
+    for (const char* attribute : {"mask='url(#m)'", "clip-path='url(#c)'"}) {
+        INFO(attribute);
+        const Shape shape = parse_svg(
+            "root.svg", std::string("<svg viewBox='0 0 40 40' ") + attribute +
+                            ">" STRIPE
+                            "<clipPath id='c' clip-path='url(#a)'><rect width='40' "
+                            "height='40'/></clipPath><mask id='m' maskUnits='userSpaceOnUse' x='0' "
+                            "y='0' width='4' height='4'>" WHITE "</mask>" SEEN "</svg>");
+        CHECK(remarks_of(shape).find("left out 1 ") != std::string::npos);
     }
 }
