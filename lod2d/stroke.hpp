@@ -21,9 +21,11 @@ struct StrokeStyle {
 };
 
 /// The region that the pen covers when it follows the path: a polygon for each piece of line, join
-/// and cap, to be filled by the nonzero rule. Subpaths that are closed have no caps, and subpaths
-/// of no length are dots where caps are not butt. Lines stray from curves, round joins and round
-/// caps by at most `tolerance`. Requires finite coordinates, width > 0, tolerance > 0.
+/// and cap, to be filled by the nonzero rule. Subpaths that are closed have no caps, and a dash
+/// goes on over their closing point; subpaths of no length are dots where caps are not butt.
+/// Corners turn by the directions of curves, and a bend tighter than the pen is covered beyond its
+/// centre. Lines stray from curves, round joins and round caps by at most `tolerance`. Requires
+/// finite coordinates, width > 0, tolerance > 0.
 [[nodiscard]] Outline stroke_pieces(const CurvePath& path, const StrokeStyle& style,
                                     double tolerance);
 

@@ -38,6 +38,7 @@ bool is_of_browsers(std::string_view property) {
 }
 
 bool is_harmless(std::string_view property, const std::string& value) {
+    if (property == "d") return false;  // "none" draws nothing
     if (is_one_of(value, {"none", "auto", "normal", "initial", "unset"})) return true;
     if (property == "zoom") return value == "1";
     if (property == "transform-box") return value == "view-box";

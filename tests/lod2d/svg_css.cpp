@@ -132,6 +132,7 @@ TEST_CASE("what of CSS a window, a font or a box decides is said", "[svg][svg-ca
         {"<style>.u{x:9px}</style><defs><rect id='r' x='4' y='4' width='8' height='4'/></defs>"
          "<use class='u' href='#r'/>",
          "sets x, which is not followed here for <use>"},
+        {"<path d='M4 4h8v4h-8z' style='d:none'/>", "sets d"},
         {"<svg style='width:30px'>" SEEN "</svg>", "its <svg> has a width in its style"},
         {"<style>@namespace url(http://www.w3.org/1999/xhtml);rect{fill:none}</style>" SEEN,
          "another namespace"},
