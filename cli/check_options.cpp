@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/viz/write.hpp"
+#include "lodlab/viz/film/write.hpp"
 
 namespace cli {
 namespace {

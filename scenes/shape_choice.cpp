@@ -1,3 +1,4 @@
+#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/shapes.hpp"
@@ -5,7 +6,7 @@
 namespace scenes {
 
 void check_drawing_choice(const std::string& spec, const ShapeChoice& choice) {
-    const std::string ending = ending_of(spec);
+    const std::string ending = lod::ending_of(spec);
     if (ending == "svg" || ending == "svgz") return;
     if (choice.strokes || choice.page || choice.strict)
         throw lod::Error(lod::ErrorKind::usage,
