@@ -17,8 +17,8 @@
 #include "lodlab/core/base/random.hpp"
 #include "lodlab/core/exact/time_of_impact.hpp"
 #include "lodlab/core/math/trigonometry.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/outline.hpp"
 #include "lodlab/measure/first_impact.hpp"
 #include "lodlab/measure/plane_bodies.hpp"
 

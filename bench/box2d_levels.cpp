@@ -11,9 +11,9 @@
 
 #include "bench/timing.hpp"
 #include "lodlab/core/frame/frame.hpp"
-#include "lodlab/lod2d/box2d_reference.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/measure/reference/box2d_reference.hpp"
 
 namespace {
 

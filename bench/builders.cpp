@@ -7,9 +7,9 @@
 #include <string>
 
 #include "bench/timing.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/builder/tree_report.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 
 int main(int argc, char** argv) {
     const int depth = argc > 1 ? std::atoi(argv[1]) : 4;

@@ -16,8 +16,8 @@
 #include "lodlab/core/base/random.hpp"
 #include "lodlab/core/frame/frame.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"
 #include "lodlab/viz/paint/write.hpp"
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "bench/timing.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 #include "lodlab/viz/film/video.hpp"
 #include "lodlab/viz/film/write.hpp"

@@ -8,9 +8,9 @@
 #include <filesystem>
 
 #include "bench/timing.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/load_mesh.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
+#include "lodlab/lod3d/source/load_mesh.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
 #include "lodlab/viz/draw/draw_turntable.hpp"
 #include "lodlab/viz/paint/paint.hpp"

@@ -10,7 +10,7 @@
 #include "bench/timing.hpp"
 #include "lodlab/core/base/random.hpp"
 #include "lodlab/core/tree/traversal.hpp"
-#include "lodlab/lod3d/intersect.hpp"
+#include "lodlab/lod3d/mesh/intersect.hpp"
 #include "tests/lod3d/fcl_oracle.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

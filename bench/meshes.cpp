@@ -15,7 +15,7 @@
 
 #include "bench/timing.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/load_mesh.hpp"
+#include "lodlab/lod3d/source/load_mesh.hpp"
 
 namespace {
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/load.hpp"
-#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/builder/tree_report.hpp"
+#include "lodlab/lod2d/source/load.hpp"
 
 namespace {
 

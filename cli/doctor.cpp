@@ -8,7 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/font.hpp"
+#include "lodlab/lod2d/source/font.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/viz/film/video.hpp"
 #include "lodlab/viz/paint/write.hpp"

@@ -11,8 +11,8 @@
 #include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/output_file.hpp"
-#include "lodlab/lod2d/svg_source.hpp"
-#include "lodlab/lod3d/binary_number.hpp"
+#include "lodlab/lod2d/source/svg/source.hpp"
+#include "lodlab/lod3d/source/binary_number.hpp"
 #include "lodlab/scenes/places.hpp"
 
 namespace cli {

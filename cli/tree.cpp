@@ -11,7 +11,7 @@
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/output_file.hpp"
 #include "lodlab/io/tree_json.hpp"
-#include "lodlab/lod3d/export_spheres.hpp"
+#include "lodlab/lod3d/solid/export_spheres.hpp"
 #include "lodlab/scenes/shapes.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
 #include "lodlab/viz/draw/draw_turntable.hpp"

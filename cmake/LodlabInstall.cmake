@@ -4,8 +4,9 @@ include(CMakePackageConfigHelpers)
 
 set(lodlab_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lodlab)
 
-# lodlab_install(NAME [FOLDER folder] DESCRIPTION text [LODLAB names] [MODULES modules]) installs one
-# library, with the headers of its folder, which is named like it where none is given. LODLAB
+# lodlab_install(NAME [FOLDER folder] [EXCEPT folder] DESCRIPTION text [LODLAB names] [MODULES modules])
+# installs one library, with the headers of its folder, which is named like it where none is given, but
+# not those of the folder EXCEPT within it, which is another library's. LODLAB
 # names the libraries of ours that it stands on, MODULES the pkg-config modules that it links, which a
 # program links too where the library is static. What find_package needs for the same stands in
 # lodlab-config.cmake.in.
@@ -13,7 +14,7 @@ function(lodlab_install name)
   if(NOT TARGET ${name})
     return()
   endif()
-  cmake_parse_arguments(arg "" "DESCRIPTION;FOLDER" "LODLAB;MODULES" ${ARGN})
+  cmake_parse_arguments(arg "" "DESCRIPTION;FOLDER;EXCEPT" "LODLAB;MODULES" ${ARGN})
   if(NOT arg_FOLDER)
     set(arg_FOLDER ${name})
   endif()
@@ -27,9 +28,14 @@ function(lodlab_install name)
   install(EXPORT lodlab-${name} NAMESPACE lodlab:: FILE lodlab-${name}-targets.cmake
           DESTINATION ${lodlab_package_folder})
   if(LIBRARY)
+    set(except)
+    if(arg_EXCEPT)
+      set(except PATTERN ${arg_EXCEPT} EXCLUDE)
+    endif()
     get_filename_component(above ${arg_FOLDER} DIRECTORY)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${arg_FOLDER}
-            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab/${above} FILES_MATCHING PATTERN "*.hpp")
+            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab/${above} FILES_MATCHING PATTERN "*.hpp"
+            ${except})
   endif()
 
   set(NAME ${name})

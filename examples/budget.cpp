@@ -4,8 +4,8 @@
 #include <vector>
 
 #include <lodlab/core/frame/frame.hpp>
-#include <lodlab/lod2d/build_tree.hpp>
-#include <lodlab/lod2d/generators.hpp>
+#include <lodlab/lod2d/builder/build_tree.hpp>
+#include <lodlab/lod2d/shape/generators.hpp>
 
 int main() {
     const lod2d::Shape gear = lod2d::generate("gear:9");

@@ -2,9 +2,9 @@
 #include <cstdio>
 
 #include <lodlab/core/builder/certify.hpp>
-#include <lodlab/lod2d/build_tree.hpp>
-#include <lodlab/lod2d/generators.hpp>
-#include <lodlab/lod2d/piece.hpp>
+#include <lodlab/lod2d/builder/build_tree.hpp>
+#include <lodlab/lod2d/builder/piece.hpp>
+#include <lodlab/lod2d/shape/generators.hpp>
 
 int main() {
     const lod2d::Shape gear = lod2d::generate("gear:9");

@@ -1,8 +1,8 @@
 // A figure is data: a star under the circles of one level of its tree, as PNG and as SVG.
 #include <string>
 
-#include <lodlab/lod2d/build_tree.hpp>
-#include <lodlab/lod2d/generators.hpp>
+#include <lodlab/lod2d/builder/build_tree.hpp>
+#include <lodlab/lod2d/shape/generators.hpp>
 #include <lodlab/viz/paint/write.hpp>
 
 int main() {

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <lodlab/core/frame/frame.hpp>
-#include <lodlab/lod2d/build_tree.hpp>
-#include <lodlab/lod2d/generators.hpp>
+#include <lodlab/lod2d/builder/build_tree.hpp>
+#include <lodlab/lod2d/shape/generators.hpp>
 
 lod::Body<2> body_of(const char* name, lod::Vector<2> position, lod::Vector<2> velocity) {
     const lod2d::Shape shape = lod2d::generate(name);

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include <lodlab/core/frame/frame.hpp>
-#include <lodlab/lod2d/build_tree.hpp>
-#include <lodlab/lod2d/generators.hpp>
+#include <lodlab/lod2d/builder/build_tree.hpp>
+#include <lodlab/lod2d/shape/generators.hpp>
 #include <lodlab/viz/draw/scene_view.hpp>
 #include <lodlab/viz/film/write.hpp>
 

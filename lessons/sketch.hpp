@@ -8,10 +8,10 @@
 #include "lessons/lessons.hpp"
 #include "lodlab/core/tree/body.hpp"
 #include "lodlab/core/tree/traversal.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/distance.hpp"
-#include "lodlab/lod2d/shape.hpp"
-#include "lodlab/lod3d/solid.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
+#include "lodlab/lod2d/shape/shape.hpp"
+#include "lodlab/lod3d/solid/solid.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 // Words and marks that lessons share.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lodlab/core/tree/body.hpp"
-#include "lodlab/lod2d/box2d_reference.hpp"
+#include "lodlab/measure/reference/box2d_reference.hpp"
 #include "lodlab/scenes/run.hpp"
 
 namespace measure {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "lodlab/lod2d/outline.hpp"
-#include "lodlab/lod3d/surface.hpp"
+#include "lodlab/lod2d/shape/outline.hpp"
+#include "lodlab/lod3d/solid/surface.hpp"
 
 namespace measure {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 
 namespace measure {
 namespace {

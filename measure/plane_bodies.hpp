@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
 #include "lodlab/measure/collisions.hpp"
 
 namespace measure {

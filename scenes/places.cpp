@@ -5,7 +5,7 @@
 
 #include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/import_limits.hpp"
+#include "lodlab/lod3d/source/import_limits.hpp"
 #include "lodlab/scenes/spelling.hpp"
 
 namespace scenes {

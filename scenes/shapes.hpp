@@ -12,10 +12,10 @@
 #include "lodlab/core/tree/body.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/io/tree_cache.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/distance.hpp"
-#include "lodlab/lod3d/distance.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/mesh/distance.hpp"
 
 namespace scenes {
 

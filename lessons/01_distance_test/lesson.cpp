@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "lodlab/core/math/sphere.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 
 namespace lessons {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lodlab/core/math/power_diagram.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
 
 namespace lessons {

@@ -2,8 +2,8 @@
 
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
-#include "lodlab/lod2d/piece.hpp"
-#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/lod2d/builder/piece.hpp"
+#include "lodlab/lod2d/builder/tree_report.hpp"
 
 namespace lessons::tree {
 

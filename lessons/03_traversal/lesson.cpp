@@ -4,8 +4,8 @@
 #include "lessons/lessons.hpp"
 #include "lessons/sketch.hpp"
 #include "lodlab/core/tree/traversal.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 
 namespace lessons {

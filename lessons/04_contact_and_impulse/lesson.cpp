@@ -4,8 +4,8 @@
 
 #include "lodlab/core/frame/frame.hpp"
 #include "lodlab/core/tree/traversal.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 
 namespace lessons {
 namespace {

@@ -5,7 +5,7 @@
 #include "lessons/04_contact_and_impulse/lesson.hpp"
 #include "lodlab/core/response/response.hpp"
 #include "lodlab/core/tree/traversal.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 
 namespace lessons::impact {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "lodlab/core/tree/traversal.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 #include "lodlab/viz/draw/motion/draw_motion.hpp"
 
 namespace lessons::impact {

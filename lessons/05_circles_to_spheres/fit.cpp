@@ -1,10 +1,10 @@
 #include <algorithm>
 
 #include "lessons/05_circles_to_spheres/lesson.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/tree_report.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod2d/builder/tree_report.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"
 

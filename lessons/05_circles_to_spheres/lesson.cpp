@@ -5,7 +5,7 @@
 
 #include "lodlab/core/base/random.hpp"
 #include "lodlab/core/tree/traversal.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 
 namespace lessons {

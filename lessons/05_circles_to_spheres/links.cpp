@@ -2,7 +2,7 @@
 
 #include "lessons/05_circles_to_spheres/lesson.hpp"
 #include "lodlab/core/tree/traversal.hpp"
-#include "lodlab/lod3d/intersect.hpp"
+#include "lodlab/lod3d/mesh/intersect.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 
 namespace lessons::spheres {

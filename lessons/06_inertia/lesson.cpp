@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "lodlab/core/response/impact.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 
 namespace lessons {
 namespace inertia {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <lodlab/core/frame/frame.hpp>
-#include <lodlab/lod2d/build_tree.hpp>
+#include <lodlab/lod2d/builder/build_tree.hpp>
 #include <lodlab/scenes/setup.hpp>
 #include <lodlab/viz/paint/write.hpp>
 

@@ -6,10 +6,10 @@
 #include <lodlab/core/frame/frame.hpp>
 #include <lodlab/core/frame/state_hash.hpp>
 #include <lodlab/core/math/eigen.hpp>
-#include <lodlab/lod2d/build_tree.hpp>
-#include <lodlab/lod2d/generators.hpp>
-#include <lodlab/lod3d/generators.hpp>
-#include <lodlab/lod3d/sphere_tree.hpp>
+#include <lodlab/lod2d/builder/build_tree.hpp>
+#include <lodlab/lod2d/shape/generators.hpp>
+#include <lodlab/lod3d/builder/sphere_tree.hpp>
+#include <lodlab/lod3d/solid/generators.hpp>
 #include <vector>
 
 template <int Dim>

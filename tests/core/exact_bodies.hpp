@@ -7,10 +7,10 @@
 
 #include "lodlab/core/exact/ball_union.hpp"
 #include "lodlab/core/exact/time_of_impact.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/outline.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/surface.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/outline.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
+#include "lodlab/lod3d/solid/surface.hpp"
 #include "tests/core/bodies.hpp"
 
 // Bodies with exact shapes, planar ones for the plane and, 1 m thick, for space.

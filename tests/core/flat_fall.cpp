@@ -8,12 +8,12 @@
 #include <string>
 
 #include "lodlab/core/frame/frame.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/outline.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
-#include "lodlab/lod3d/surface.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/outline.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
+#include "lodlab/lod3d/solid/surface.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 

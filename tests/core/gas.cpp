@@ -7,8 +7,8 @@
 
 #include "lodlab/core/base/random.hpp"
 #include "lodlab/core/frame/frame.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/sanitized.hpp"
 

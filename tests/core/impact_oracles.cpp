@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "lodlab/core/response/impact.hpp"
-#include "lodlab/lod2d/outline.hpp"
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/shape/outline.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 #include "tests/core/bodies.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"

@@ -1,8 +1,8 @@
 // The trees of the plane's builders, over shapes with straight and curved edges and holes.
 
 #include "lodlab/io/tree_json.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "tests/determinism/report.hpp"
 
 void add_plane_trees(Report& report) {

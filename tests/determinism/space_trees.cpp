@@ -2,8 +2,8 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/tree_json.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/scenes/shapes.hpp"
 #include "tests/determinism/report.hpp"
 

@@ -1,5 +1,5 @@
 // Style sheets and declarations, as they are rewritten for a library.
-#include "lodlab/lod2d/svg_css.hpp"
+#include "lodlab/lod2d/source/css/css.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

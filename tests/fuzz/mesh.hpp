@@ -1,7 +1,7 @@
 #pragma once
 
-#include "lodlab/lod3d/mesh_readers.hpp"
-#include "lodlab/lod3d/solid.hpp"
+#include "lodlab/lod3d/solid/solid.hpp"
+#include "lodlab/lod3d/source/mesh_readers.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 /// Reads a mesh and, where it is small, makes it a solid.

@@ -1,5 +1,5 @@
 // Drawings: plain ones and those that go through librsvg.
-#include "lodlab/lod2d/svg.hpp"
+#include "lodlab/lod2d/source/svg.hpp"
 #include "tests/fuzz/fuzz.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {

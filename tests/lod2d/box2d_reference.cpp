@@ -1,11 +1,11 @@
-#include "lodlab/lod2d/box2d_reference.hpp"
+#include "lodlab/measure/reference/box2d_reference.hpp"
 
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/frame/frame.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

@@ -1,8 +1,8 @@
 #include "lodlab/core/builder/certify.hpp"
 
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/piece.hpp"
-#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/builder/piece.hpp"
+#include "lodlab/lod2d/builder/tree_report.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"

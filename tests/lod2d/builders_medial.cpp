@@ -1,7 +1,7 @@
-#include "lodlab/lod2d/medial_axis.hpp"
+#include "lodlab/lod2d/builder/medial_axis.hpp"
 
-#include "lodlab/lod2d/distance.hpp"
-#include "lodlab/lod2d/medial_cover.hpp"
+#include "lodlab/lod2d/builder/medial_cover.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"

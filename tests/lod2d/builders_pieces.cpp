@@ -1,7 +1,7 @@
 #include "lodlab/core/builder/piece.hpp"
 
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/piece.hpp"
+#include "lodlab/lod2d/builder/piece.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"

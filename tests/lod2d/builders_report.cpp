@@ -1,10 +1,10 @@
-#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/lod2d/builder/tree_report.hpp"
 
 #include <numbers>
 
 #include "lodlab/core/builder/protrusion.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/disc_union.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/disc_union.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/random.hpp"

@@ -1,12 +1,12 @@
-#include "lodlab/lod2d/clean.hpp"
+#include "lodlab/lod2d/source/paths/clean.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/distance.hpp"
-#include "lodlab/lod2d/orientation.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
+#include "lodlab/lod2d/shape/orientation.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"
 

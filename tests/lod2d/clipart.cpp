@@ -2,8 +2,8 @@
 #include <filesystem>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/clean_work.hpp"
-#include "lodlab/lod2d/svg.hpp"
+#include "lodlab/lod2d/source/paths/clean_work.hpp"
+#include "lodlab/lod2d/source/svg.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

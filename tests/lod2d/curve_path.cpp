@@ -1,9 +1,9 @@
-#include "lodlab/lod2d/curve_path.hpp"
+#include "lodlab/lod2d/source/paths/curve_path.hpp"
 
 #include <cmath>
 #include <numbers>
 
-#include "lodlab/lod2d/svg_text.hpp"
+#include "lodlab/lod2d/source/svg/text.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"
 

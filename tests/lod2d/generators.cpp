@@ -1,4 +1,4 @@
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 
 #include <cstring>
 

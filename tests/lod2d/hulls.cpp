@@ -2,9 +2,9 @@
 
 #include "lodlab/core/builder/node_hulls.hpp"
 #include "lodlab/io/tree_json.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/piece.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/builder/piece.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"

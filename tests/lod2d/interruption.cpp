@@ -4,9 +4,9 @@
 
 #include <initializer_list>
 
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 
 using namespace lod;
 

@@ -1,12 +1,12 @@
-#include "lodlab/lod2d/load.hpp"
+#include "lodlab/lod2d/source/load.hpp"
 
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/distance.hpp"
-#include "lodlab/lod2d/font.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
+#include "lodlab/lod2d/source/font.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

@@ -1,8 +1,8 @@
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 
 #include <cmath>
 
-#include "lodlab/lod2d/orientation.hpp"
+#include "lodlab/lod2d/shape/orientation.hpp"
 #include "tests/lod2d/random_shape.hpp"
 #include "tests/property.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "lodlab/lod2d/distance.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 
 namespace lod2d {
 

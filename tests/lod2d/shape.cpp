@@ -1,11 +1,11 @@
-#include "lodlab/lod2d/shape.hpp"
+#include "lodlab/lod2d/shape/shape.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

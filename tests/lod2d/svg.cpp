@@ -1,11 +1,11 @@
-#include "lodlab/lod2d/svg.hpp"
+#include "lodlab/lod2d/source/svg.hpp"
 
 #include <cstdio>
 #include <fstream>
 #include <numbers>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/distance.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod2d;

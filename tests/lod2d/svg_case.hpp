@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/lod2d/svg.hpp"
+#include "lodlab/lod2d/source/svg.hpp"
 #include "tests/catch.hpp"
 
 // Small drawings in tables, with what is to be seen of each.

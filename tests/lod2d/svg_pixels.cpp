@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/svg.hpp"
+#include "lodlab/lod2d/source/svg.hpp"
 
 namespace {
 

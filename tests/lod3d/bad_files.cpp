@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/load_mesh.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
+#include "lodlab/lod3d/source/load_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

@@ -1,4 +1,4 @@
-#include "lodlab/lod3d/cut_polygon.hpp"
+#include "lodlab/lod3d/source/cut_polygon.hpp"
 
 #include <cmath>
 #include <map>

@@ -1,7 +1,7 @@
-#include "lodlab/lod3d/distance.hpp"
+#include "lodlab/lod3d/mesh/distance.hpp"
 
 #include "lodlab/core/math/eigen.hpp"
-#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

@@ -1,4 +1,4 @@
-#include "lodlab/lod3d/export_spheres.hpp"
+#include "lodlab/lod3d/solid/export_spheres.hpp"
 
 #include <sstream>
 
@@ -43,7 +43,8 @@ TEST_CASE("JSON and URDF list each level's spheres and the leaves above it", "[e
     CHECK_THAT(json, lodtest::contains("{\"centre\": [-1, 0.1, 0], \"radius\": 1}"));
     const std::string urdf = spheres_to_urdf(small_tree(), Point::Zero(), 2, "a<b");
     CHECK_THAT(urdf, lodtest::contains("<robot name=\"a&lt;b\">"));
-    CHECK_THAT(urdf, lodtest::contains("<origin xyz=\"1 0 0\"/><geometry><sphere radius=\"2.5\"/>"));
+    CHECK_THAT(urdf,
+               lodtest::contains("<origin xyz=\"1 0 0\"/><geometry><sphere radius=\"2.5\"/>"));
     CHECK_THAT(urdf, lodtest::contains("<sphere radius=\"1\"/>"));
     CHECK_THAT(urdf, !lodtest::contains("<sphere radius=\"4\"/>"));
 }
@@ -60,6 +61,6 @@ TEST_CASE("a name that is no text, or has letters that XML has not, gives good X
     CHECK(named("n\xFF\xC3") == "n" + unknown + unknown);
     CHECK(named("\x01\n&\"") == unknown + unknown + "&amp;&quot;");
     CHECK(named("\xED\xA0\x80") == unknown + unknown + unknown);  // half of a pair
-    CHECK(named("\xC0\xAF") == unknown + unknown);               // longer than needed
+    CHECK(named("\xC0\xAF") == unknown + unknown);                // longer than needed
     CHECK(named("\xEF\xBF\xBF") == unknown);
 }

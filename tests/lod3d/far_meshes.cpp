@@ -3,10 +3,10 @@
 #include <iomanip>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/export_spheres.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/load_mesh.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/export_spheres.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
+#include "lodlab/lod3d/source/load_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "lodlab/core/math/eigen.hpp"
-#include "lodlab/lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh/mesh.hpp"
 
 namespace lodtest {
 

@@ -1,4 +1,4 @@
-#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 
 #include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"

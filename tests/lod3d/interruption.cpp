@@ -4,8 +4,8 @@
 // same; one that floats in another's cavity does not.
 #include "tests/interruption.hpp"
 
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/lod3d/fcl_oracle.hpp"
 
 using namespace lod;

@@ -1,7 +1,7 @@
 // Intersection of triangles and of posed meshes, against FCL.
-#include "lodlab/lod3d/intersect.hpp"
+#include "lodlab/lod3d/mesh/intersect.hpp"
 
-#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/fcl_oracle.hpp"
 #include "tests/lod3d/random_pose.hpp"

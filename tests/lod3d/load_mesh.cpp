@@ -1,7 +1,7 @@
-#include "lodlab/lod3d/load_mesh.hpp"
+#include "lodlab/lod3d/source/load_mesh.hpp"
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

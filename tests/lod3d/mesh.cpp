@@ -1,9 +1,9 @@
-#include "lodlab/lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh/mesh.hpp"
 
 #include <numbers>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

@@ -2,8 +2,8 @@
 #include <functional>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/load_mesh.hpp"
-#include "lodlab/lod3d/solid.hpp"
+#include "lodlab/lod3d/solid/solid.hpp"
+#include "lodlab/lod3d/source/load_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

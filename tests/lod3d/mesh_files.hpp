@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "lodlab/lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh/mesh.hpp"
 
 // Meshes written as files, good or bad, by a few lines a format.
 

@@ -1,8 +1,8 @@
 // What programs write beyond what the formats say.
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/load_mesh.hpp"
-#include "lodlab/lod3d/solid.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
+#include "lodlab/lod3d/solid/solid.hpp"
+#include "lodlab/lod3d/source/load_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

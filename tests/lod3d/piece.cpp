@@ -1,8 +1,8 @@
-#include "lodlab/lod3d/piece.hpp"
+#include "lodlab/lod3d/builder/piece.hpp"
 
 #include "lodlab/core/builder/piece.hpp"
 #include "lodlab/core/math/enclosing_ball.hpp"
-#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lodlab/core/base/random.hpp"
-#include "lodlab/lod3d/intersect.hpp"
+#include "lodlab/lod3d/mesh/intersect.hpp"
 
 /// A uniform random direction.
 inline lod3d::Point random_direction(lod::Random& random) {

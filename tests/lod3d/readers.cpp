@@ -2,8 +2,8 @@
 #include <limits>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/load_mesh.hpp"
-#include "lodlab/lod3d/text_words.hpp"
+#include "lodlab/lod3d/source/load_mesh.hpp"
+#include "lodlab/lod3d/source/text_words.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

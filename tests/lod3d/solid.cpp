@@ -1,9 +1,9 @@
-#include "lodlab/lod3d/solid.hpp"
+#include "lodlab/lod3d/solid/solid.hpp"
 
 #include <limits>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/catch.hpp"
 
 using namespace lod3d;

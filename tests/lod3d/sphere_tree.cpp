@@ -1,8 +1,8 @@
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/piece.hpp"
+#include "lodlab/lod3d/builder/piece.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/random_pose.hpp"
 

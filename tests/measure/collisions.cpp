@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/measure/plane_bodies.hpp"
 #include "lodlab/scenes/setup.hpp"
 #include "tests/catch.hpp"

@@ -1,8 +1,8 @@
 #include "lodlab/measure/comparison.hpp"
 
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/outline.hpp"
 #include "tests/catch.hpp"
 
 using namespace measure;

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "lodlab/core/math/trigonometry.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/outline.hpp"
 #include "lodlab/measure/plane_bodies.hpp"
 #include "tests/catch.hpp"
 #include "tests/measure/collision.hpp"

@@ -4,9 +4,9 @@
 
 #include "lodlab/core/frame/finest.hpp"
 #include "lodlab/core/frame/frame.hpp"
-#include "lodlab/lod2d/box2d_reference.hpp"
-#include "lodlab/lod2d/overlap.hpp"
-#include "lodlab/lod2d/tree_report.hpp"
+#include "lodlab/lod2d/builder/tree_report.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
+#include "lodlab/measure/reference/box2d_reference.hpp"
 #include "lodlab/scenes/setup.hpp"
 #include "tests/catch.hpp"
 

@@ -1,10 +1,10 @@
 // Nobody leaves a closed container and nobody passes a wall, at any level and budget.
 
 #include "lodlab/core/frame/frame.hpp"
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/run.hpp"
 #include "lodlab/scenes/setup.hpp"

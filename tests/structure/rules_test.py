@@ -21,14 +21,14 @@ HOUSE = {
     "core/math/dimension.hpp": "#pragma once\ntemplate <int Dim> constexpr bool plane = Dim == 2;\n",
     "core/tree/body.hpp": '#include "core/math/dimension.hpp"\n// Dim == 2 in a comment\n',
     "core/tree/ball.cpp": "template <int Dim> int points() { return Dim + 1; }\n",
-    "lod2d/shape.hpp": '#include "core/tree/body.hpp"\n#include <nlohmann/json_fwd.hpp>\n',
-    "lod2d/measure.cpp": "double extent(const Polygon& polygon) { return 1; }\n" + EXCESS.replace("N", "2"),
-    "lod3d/measure.cpp": "double extent(const Mesh& mesh, int axis) { return 1; }\n"
+    "lod2d/shape/shape.hpp": '#include "core/tree/body.hpp"\n#include <nlohmann/json_fwd.hpp>\n',
+    "lod2d/shape/measure.cpp": "double extent(const Polygon& polygon) { return 1; }\n" + EXCESS.replace("N", "2"),
+    "lod3d/mesh/measure.cpp": "double extent(const Mesh& mesh, int axis) { return 1; }\n"
     "struct Hull { double least(const Point& p) const { return 2; } };\n",
-    "lod2d/box2d_reference.cpp": "#include <box2d/box2d.h>\n",
+    "measure/reference/box2d_reference.cpp": "#include <box2d/box2d.h>\n",
     "viz/figure/figure.hpp": "#include <string>\n",
     "viz/figure/figure.cpp": '#include "viz/figure/figure.hpp"\n',
-    "viz/draw/tree.hpp": '#include "lod2d/shape.hpp"\n#include "viz/figure/figure.hpp"\n',
+    "viz/draw/tree.hpp": '#include "lod2d/shape/shape.hpp"\n#include "viz/figure/figure.hpp"\n',
     "viz/draw/motion/run.cpp": '#include "viz/draw/tree.hpp"\n',
     "viz/paint/space/render.cpp": '#include "viz/paint/canvas.hpp"\n',
     "viz/paint/canvas.hpp": '#include "viz/figure/figure.hpp"\n',
@@ -39,7 +39,9 @@ HOUSE = {
 
 BREACHES = {
     "a lower folder includes a higher one": ("core/tree/a.cpp", '#include "viz/figure/figure.hpp"\n'),
-    "the plane includes space": ("lod2d/a.cpp", '#include "lod3d/mesh.hpp"\n'),
+    "the plane includes space": ("lod2d/shape/a.cpp", '#include "lod3d/mesh/mesh.hpp"\n'),
+    "geometry includes a reader of drawings": ("lod2d/builder/a.cpp", '#include "lod2d/source/svg.hpp"\n'),
+    "geometry includes the reference": ("lod2d/shape/b.cpp", '#include "measure/reference/box2d_reference.hpp"\n'),
     "a room of core includes one above": ("core/math/a.hpp", '#include "core/tree/body.hpp"\n'),
     "drawing includes painting": ("viz/draw/a.cpp", '#include "viz/paint/canvas.hpp"\n'),
     "painting includes drawing": ("viz/paint/space/a.cpp", '#include "viz/draw/tree.hpp"\n'),
@@ -55,18 +57,18 @@ BREACHES = {
     "a second file for Box2D": ("cli/a.cpp", "#include <box2d/b2_body.h>\n"),
     "a function of the C library": ("measure/a.cpp", "double f(double x) { return std::atan2(x, 2); }\n"),
     "Eigen in a header": ("core/tree/a.hpp", "#include <Eigen/Core>\n"),
-    "a library crosses the border to Eigen": ("lod3d/a.cpp", '#include "core/math/eigen.hpp"\n'),
+    "a library crosses the border to Eigen": ("lod3d/solid/a.cpp", '#include "core/math/eigen.hpp"\n'),
     "Cairo in a header": ("viz/paint/a.hpp", "#include <cairo/cairo.h>\n"),
-    "JSON in a header": ("lod2d/a.hpp", "#include <nlohmann/json.hpp>\n"),
+    "JSON in a header": ("lod2d/shape/a.hpp", "#include <nlohmann/json.hpp>\n"),
     "a test that ctest would not find": ("tests/a.cpp", 'TEST_CASE("one; two") {}\n'),
     "a long file": ("core/tree/a.cpp", "int i;\n" * 401),
     "a long function": ("core/tree/a.cpp", "int f() {\n" + "    g();\n" * 59 + "}\n"),
     "a long method": ("core/tree/a.cpp", "class A {\n  public:\n    int f(int a,\n   int b) const {\n" + "    g();\n" * 59 + "}\n};\n"),
     "a function of the plane again in space": (
-        "lod3d/a.cpp",
+        "lod3d/solid/a.cpp",
         "[[nodiscard]] double extent(const lod3d::Mesh& mesh) {\n    return 2;\n}\n",
     ),
-    "a member of the plane again in space": ("lod3d/a.cpp", EXCESS.replace("N", "3")),
+    "a member of the plane again in space": ("lod3d/solid/a.cpp", EXCESS.replace("N", "3")),
     "a circle": ("core/tree/body.hpp", '#include "core/tree/circle.hpp"\n'),
 }
 

@@ -1,7 +1,7 @@
 #include <set>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/outline.hpp"
+#include "lodlab/lod2d/shape/outline.hpp"
 #include "lodlab/viz/draw/draw_contacts.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "lodlab/lod2d/build_tree.hpp"
-#include "lodlab/lod2d/generators.hpp"
+#include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/viz/draw/scene_view.hpp"
 
 namespace sample {

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/generators.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/viz/draw/sight.hpp"
 #include "lodlab/viz/draw/surface.hpp"
 #include "lodlab/viz/figure/check.hpp"

@@ -1,6 +1,6 @@
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/generators.hpp"
-#include "lodlab/lod3d/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/viz/draw/draw_contacts.hpp"
 #include "lodlab/viz/draw/draw_projection.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"

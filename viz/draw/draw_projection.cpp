@@ -3,7 +3,7 @@
 #include <map>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/clean.hpp"
+#include "lodlab/lod2d/source/paths/clean.hpp"
 #include "lodlab/viz/draw/draw_contacts.hpp"
 #include "lodlab/viz/figure/number_text.hpp"
 

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lodlab/core/frame/frame.hpp"
-#include "lodlab/lod2d/shape.hpp"
-#include "lodlab/lod3d/solid.hpp"
+#include "lodlab/lod2d/shape/shape.hpp"
+#include "lodlab/lod3d/solid/solid.hpp"
 #include "lodlab/viz/draw/sight.hpp"
 
 namespace viz {

@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "lodlab/core/exact/exact_shape.hpp"
-#include "lodlab/lod2d/distance.hpp"
-#include "lodlab/lod2d/overlap.hpp"
+#include "lodlab/lod2d/shape/distance.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
 #include "lodlab/viz/figure/camera.hpp"
 
 namespace viz {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/lod3d/mesh.hpp"
+#include "lodlab/lod3d/mesh/mesh.hpp"
 #include "lodlab/viz/figure/figure.hpp"
 
 namespace viz {

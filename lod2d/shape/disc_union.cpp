@@ -1,0 +1,95 @@
+#include "lodlab/lod2d/shape/disc_union.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "lodlab/core/math/trigonometry.hpp"
+
+namespace lod2d {
+namespace {
+
+using Disc = lod::Sphere<2>;
+constexpr double turn = 2 * std::numbers::pi;
+
+struct Interval {
+    double from;
+    double to;
+};
+
+/// Adds the angles of `own` that the other disc covers, within [0, turn]; true if that is all.
+bool cover(const Disc& own, const Disc& other, bool other_first, std::vector<Interval>& covered) {
+    const Point line = other.centre - own.centre;
+    const double d = line.norm();
+    const bool equal = d == 0 && own.radius == other.radius;
+    if (equal ? other_first : d + own.radius <= other.radius) return true;
+    if (equal || d + other.radius <= own.radius || d >= own.radius + other.radius) return false;
+    const double cosine =
+        (own.radius * own.radius + d * d - other.radius * other.radius) / (2 * own.radius * d);
+    const double half = lod::angle_of_cosine(std::clamp(cosine, -1.0, 1.0));
+    double from = lod::direction_angle(line.y(), line.x()) - half;
+    if (from < 0) from += turn;
+    const double to = from + 2 * half;
+    covered.push_back({from, std::min(to, turn)});
+    if (to > turn) covered.push_back({0, to - turn});
+    return false;
+}
+
+void add_gaps(std::size_t disc, std::vector<Interval>& covered, std::vector<Arc>& arcs) {
+    std::sort(covered.begin(), covered.end(),
+              [](const Interval& a, const Interval& b) { return a.from < b.from; });
+    double reached = 0;
+    for (const Interval& interval : covered) {
+        if (interval.from > reached) arcs.push_back({disc, reached, interval.from});
+        reached = std::max(reached, interval.to);
+    }
+    if (reached < turn) arcs.push_back({disc, reached, turn});
+}
+
+}  // namespace
+
+Point Arc::at(const Disc& of, double angle) const {
+    const lod::SineCosine turned = lod::sine_cosine(angle);
+    return of.centre + of.radius * Point(turned.cosine, turned.sine);
+}
+
+std::vector<Arc> exposed_arcs(std::span<const Disc> discs) {
+    std::vector<std::size_t> order(discs.size());  // by the left end
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto left = [&](std::size_t i) { return discs[i].centre.x() - discs[i].radius; };
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        return left(i) < left(j) || (left(i) == left(j) && i < j);
+    });
+    double widest = 0;
+    for (const Disc& disc : discs) widest = std::max(widest, disc.radius);
+
+    std::vector<Arc> arcs;
+    std::vector<Interval> covered;
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        if (discs[i].radius <= 0) continue;
+        covered.clear();
+        const double first = left(i) - 2 * widest;
+        const double last = discs[i].centre.x() + discs[i].radius;
+        auto j = std::lower_bound(order.begin(), order.end(), first,
+                                  [&](std::size_t k, double x) { return left(k) < x; });
+        bool hidden = false;
+        for (; j != order.end() && left(*j) <= last && !hidden; ++j)
+            if (*j != i) hidden = cover(discs[i], discs[*j], *j < i, covered);
+        if (!hidden) add_gaps(i, covered, arcs);
+    }
+    return arcs;
+}
+
+double union_area(std::span<const Disc> discs, std::span<const Arc> arcs) {
+    double twice = 0;
+    for (const Arc& arc : arcs) {
+        const Disc& disc = discs[arc.disc];
+        const Point across = arc.at(disc, arc.to) - arc.at(disc, arc.from);
+        twice += disc.radius * disc.radius * (arc.to - arc.from) + disc.centre.x() * across.y() -
+                 disc.centre.y() * across.x();
+    }
+    return twice / 2;
+}
+
+}  // namespace lod2d

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lodlab/lod2d/source/paths/filled_paths.hpp"
+
+namespace lod2d {
+
+struct LoadSettings {
+    OutlineSettings outline;  ///< of files and texts; generators are in metres by their parameters
+    std::string font = "Inter";           ///< of texts: a fontconfig name
+    std::size_t most_bytes = 64'000'000;  ///< of a file
+    std::size_t most_elements = 200'000;  ///< of an SVG file
+    bool strokes = false;                 ///< of an SVG file: take strokes in, beside fills too
+    bool page = false;                    ///< of an SVG file: stretched and cut off by its page
+    bool strict = false;                  ///< refuse an SVG file of which something is left out
+};
+
+/// The shape that a reader names: a file ending in .svg or .svgz (see svg.hpp), "text:R" (see
+/// font.hpp), or a generator with its numbers, "gear:9" (see generators.hpp). Throws lod::Error, as
+/// those do; usage, naming what is understood, for anything else.
+[[nodiscard]] Shape load_shape(std::string_view spec, const LoadSettings& settings = {});
+
+/// Whether load_shape() would take the spec for a shape of the plane (it may still refuse it).
+[[nodiscard]] bool names_shape(std::string_view spec);
+
+}  // namespace lod2d
