@@ -1,8 +1,9 @@
+#include "lessons/book/book.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
 #include "cli/progress.hpp"
-#include "lessons/lessons.hpp"
+#include "lessons/engine/lessons.hpp"
 
 namespace cli {
 

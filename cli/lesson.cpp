@@ -5,7 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 #include "cli/pictures.hpp"
-#include "lessons/lessons.hpp"
+#include "lessons/engine/lessons.hpp"
 #include "lodlab/core/base/error.hpp"
 
 namespace cli {

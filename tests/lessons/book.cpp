@@ -5,8 +5,9 @@
 #include <fstream>
 #include <regex>
 
-#include "lessons/lessons.hpp"
-#include "lessons/page.hpp"
+#include "lessons/book/book.hpp"
+#include "lessons/book/page.hpp"
+#include "lessons/engine/lessons.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/lessons/scratch.hpp"

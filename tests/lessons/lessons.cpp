@@ -1,9 +1,9 @@
-#include "lessons/lessons.hpp"
+#include "lessons/engine/lessons.hpp"
 
 #include <cmath>
 #include <regex>
 
-#include "lessons/source.hpp"
+#include "lessons/embed/source.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/output_file.hpp"
 #include "lodlab/viz/figure/check.hpp"

@@ -7,7 +7,7 @@
 #include <regex>
 #include <sstream>
 
-#include "lessons/lessons.hpp"
+#include "lessons/engine/lessons.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 #include "tests/lessons/scratch.hpp"

@@ -3,7 +3,8 @@
 #include <exception>
 #include <iostream>
 
-#include "lessons/lessons.hpp"
+#include "lessons/book/book.hpp"
+#include "lessons/engine/lessons.hpp"
 
 int main(int count, char** values) {
     try {

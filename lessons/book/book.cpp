@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <cctype>
+#include <chrono>
+#include <kainjow/mustache.hpp>
+
+#include "lessons/book/book.hpp"
+#include "lessons/book/output_folder.hpp"
+#include "lessons/book/page.hpp"
+#include "lessons/embed/markdown.hpp"
+#include "lessons/embed/source.hpp"
+#include "lessons/engine/embedded.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/viz/film/video.hpp"
+#include "lodlab/viz/film/write.hpp"
+#include "lodlab/viz/paint/write.hpp"
+
+namespace lessons {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Counts pictures and frames, and tells the caller how far the book has come.
+class Meter {
+  public:
+    explicit Meter(const BookOptions& options) : options_(options) {}
+
+    void expect(double work) { total_ += work; }
+    void did(const std::string& what, double work) {
+        lod::check_interrupted();
+        done_ += work;
+        if (!options_.progress) return;
+        const double share = total_ > 0 ? std::min(done_ / total_, 1.0) : 1;
+        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+        options_.progress({what, share, share > 0 ? spent.count() * (1 / share - 1) : -1});
+    }
+
+  private:
+    const BookOptions& options_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    double done_ = 0;
+    double total_ = 0;
+};
+
+constexpr double picture_work = 2;  ///< light and dark, each about as long as one frame of video
+constexpr double video_themes = 2;
+
+double work_of(const Lesson& lesson, bool video) {
+    const auto pictures = static_cast<double>(lesson.steps.size() + lesson.figures.size());
+    return picture_work * pictures +
+           (video ? video_themes * viz::frame_count(lesson.animation) : 0);
+}
+
+class BookWriter {
+  public:
+    BookWriter(const fs::path& root, const BookOptions& options)
+        : root_(root), options_(options), meter_(options) {}
+
+    void write() {
+        std::vector<Lesson> all;
+        for (const Entry& entry : list())
+            if (options_.lessons.empty() ||
+                std::find(options_.lessons.begin(), options_.lessons.end(), entry.number) !=
+                    options_.lessons.end())
+                all.push_back(run(entry.number));
+        if (all.empty())
+            throw lod::Error(lod::ErrorKind::usage, "no such lesson; `lodlab lesson` lists them");
+        choose_video_format();
+        for (const Lesson& lesson : all) meter_.expect(work_of(lesson, with_video(lesson)));
+        for (const char* name : {"book.css", "book.js"})
+            lod::write_text_file(root_ / name, embedded_files().at(name));
+        for (std::size_t i = 0; i < all.size(); ++i) write_lesson(all, i);
+        write_index(all);
+    }
+
+  private:
+    /// WebM plays in every browser; MP4 takes its place where VP9 cannot be encoded.
+    void choose_video_format() {
+        if (!options_.video) return;
+        for (const char* ending : {"mp4", "webm"})
+            if (ending_.empty() && !viz::video_encoder(ending).empty()) ending_ = ending;
+        if (ending_.empty() && options_.warn)
+            options_.warn("no video encoder is installed; the book is written without videos");
+    }
+
+    [[nodiscard]] bool with_video(const Lesson& lesson) const {
+        return !ending_.empty() && !lesson.animation.shots.empty();
+    }
+
+    /// Letters, digits and underscores: a space would part the addresses of a srcset.
+    static std::string file_name(std::string name) {
+        for (char& c : name)
+            if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+        return name;
+    }
+
+    std::string write_one(const fs::path& folder, const std::string& name,
+                          const viz::Figure& figure, viz::Theme theme) {
+        viz::WriteOptions how;
+        how.theme = theme;
+        how.warn = options_.warn;
+        const std::string file =
+            file_name(name) + (theme == viz::Theme::dark ? "_dark" : "_light") + ".svg";
+        viz::write_svg(folder / file, figure, how);
+        return file;
+    }
+
+    VideoFiles write_video(const fs::path& folder, const Lesson& lesson) {
+        if (!with_video(lesson)) return {};
+        VideoFiles files{"lesson_light." + ending_, "lesson_dark." + ending_, "poster.png"};
+        const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": video";
+        viz::WriteOptions how;
+        how.quality = options_.video_quality;
+        how.warn = options_.warn;
+        viz::write_png(folder / files.poster, lesson.animation.shots.front().draw(), how);
+        int before = 0;
+        how.progress = [&](const viz::Progress& progress) {
+            meter_.did(what, progress.done - before);
+            before = progress.done;
+        };
+        viz::write_animation(folder / files.light, lesson.animation, how);
+        before = 0;
+        how.theme = viz::Theme::dark;
+        viz::write_animation(folder / files.dark, lesson.animation, how);
+        return files;
+    }
+
+    static kainjow::mustache::data neighbour(const Lesson& lesson) {
+        kainjow::mustache::data data;
+        data.set("slug", lesson.entry.slug);
+        data.set("title", lesson.entry.title);
+        return data;
+    }
+
+    static std::string filled(const char* name, kainjow::mustache::data& data) {
+        kainjow::mustache::mustache page(embedded_files().at(name));
+        const std::string html = page.render(data);
+        if (!page.is_valid())
+            throw lod::Error(lod::ErrorKind::output_failed,
+                             std::string(name) + ": " + page.error_message());
+        return html;
+    }
+
+    void write_lesson(const std::vector<Lesson>& all, std::size_t i) {
+        const Lesson& lesson = all[i];
+        const fs::path folder = root_ / lesson.entry.slug;
+        fs::create_directory(folder);
+        const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": pictures";
+        const auto write_picture = [&](const std::string& name, const viz::Figure& figure) {
+            const PictureFiles files{write_one(folder, name, figure, viz::Theme::light),
+                                     write_one(folder, name, figure, viz::Theme::dark)};
+            meter_.did(what, picture_work);
+            return files;
+        };
+        kainjow::mustache::data data;
+        const VideoFiles video = write_video(folder, lesson);
+        data.set("body", lesson_html(lesson, video, write_picture));
+        data.set("title", lesson.entry.title);
+        data.set("number", std::to_string(lesson.entry.number));
+        if (i > 0) data.set("previous", neighbour(all[i - 1]));
+        if (i + 1 < all.size()) data.set("following", neighbour(all[i + 1]));
+        lod::write_text_file(folder / "index.html", filled("lesson.html", data));
+    }
+
+    void write_index(const std::vector<Lesson>& all) {
+        kainjow::mustache::data entries{kainjow::mustache::data::type::list};
+        for (const Lesson& lesson : all) {
+            kainjow::mustache::data entry;
+            entry.set("slug", lesson.entry.slug);
+            entry.set("number", std::to_string(lesson.entry.number));
+            entry.set("title", lesson.entry.title);
+            entry.set("steps", std::to_string(lesson.steps.size()));
+            entry.set("alt", viz::plain_text(lesson.steps.front().figure.alt));
+            entries.push_back(entry);
+        }
+        kainjow::mustache::data data;
+        data.set("lessons", entries);
+        lod::write_text_file(root_ / "index.html", filled("index.html", data));
+    }
+
+    fs::path root_;
+    const BookOptions& options_;
+    Meter meter_;
+    std::string ending_;
+};
+
+}  // namespace
+
+void write_book(const std::filesystem::path& directory, const BookOptions& options) {
+    OutputFolder output(directory);
+    BookWriter(output.path(), options).write();
+    output.commit();
+}
+
+}  // namespace lessons

@@ -1,0 +1,180 @@
+#include "lessons/book/page.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+
+#include "lessons/embed/markdown.hpp"
+#include "lessons/embed/source.hpp"
+
+namespace lessons {
+namespace {
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+/// `r_a` in running text becomes an italic letter with its index; tags and code stay as they are.
+std::string with_symbols(const std::string& html) {
+    std::string result;
+    bool in_tag = false;
+    bool in_code = false;
+    for (std::size_t i = 0; i < html.size(); ++i) {
+        const char c = html[i];
+        if (c == '<') {
+            in_tag = true;
+            if (html.compare(i, 5, "<code") == 0) in_code = true;
+            if (html.compare(i, 6, "</code") == 0) in_code = false;
+        }
+        const bool begins_word = i == 0 || !is_word(html[i - 1]);
+        if (!in_tag && !in_code && is_letter(c) && begins_word && i + 2 < html.size() &&
+            html[i + 1] == '_' && is_word(html[i + 2])) {
+            std::size_t end = i + 2;
+            while (end < html.size() && is_word(html[end])) ++end;
+            result += "<var>" + std::string(1, c) + "<sub>" + html.substr(i + 2, end - i - 2) +
+                      "</sub></var>";
+            i = end - 1;
+            continue;
+        }
+        if (c == '>') in_tag = false;
+        result += c;
+    }
+    return result;
+}
+
+std::string picture_html(const PictureFiles& files, const viz::Figure& figure) {
+    constexpr double height = 720;
+    const auto width = static_cast<int>(std::lround(height * std::max(figure.aspect, 1.0)));
+    const auto tall = static_cast<int>(std::lround(width / figure.aspect));
+    const std::string alt = escaped_html(viz::plain_text(figure.alt));
+    return "<a class=\"picture\" href=\"" + files.light + "\"><picture><source srcset=\"" +
+           files.dark + "\" media=\"(prefers-color-scheme: dark)\"><img src=\"" + files.light +
+           "\" alt=\"" + alt + "\" width=\"" + std::to_string(width) + "\" height=\"" +
+           std::to_string(tall) + "\" loading=\"lazy\" decoding=\"async\"></picture></a>";
+}
+
+std::string numbers_html(const std::map<std::string, Number>& numbers) {
+    if (numbers.empty()) return {};
+    std::string html = "<dl class=\"numbers\">";
+    for (const auto& [name, number] : numbers)
+        html += "<div><dt>" + with_symbols(escaped_html(name)) + "</dt><dd>" +
+                escaped_html(number.text) + "</dd></div>";
+    return html + "</dl>";
+}
+
+std::string steps_html(const Lesson& lesson, const WritePicture& write_picture) {
+    const std::string count = std::to_string(lesson.steps.size());
+    std::string html =
+        "<section class=\"steps\" aria-label=\"Steps of the lesson\" tabindex=\"-1\">\n"
+        "<div class=\"scrubber\" hidden>"
+        "<button type=\"button\" class=\"back\" aria-label=\"Step back\">←</button>"
+        "<input type=\"range\" min=\"1\" max=\"" +
+        count +
+        "\" value=\"1\" step=\"1\" aria-label=\"Step\">"
+        "<button type=\"button\" class=\"next\" aria-label=\"Next step\">→</button>"
+        "<output>1 / " +
+        count +
+        "</output></div>\n"
+        "<p class=\"spoken\" role=\"status\" aria-live=\"polite\"></p>\n";
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const Step& step = lesson.steps[i];
+        const std::string number = std::to_string(i + 1);
+        const std::string name = "step_" + std::string(number.size() < 2 ? "0" : "") + number;
+        html += "<article class=\"step\" id=\"step-" + number + "\" aria-labelledby=\"step-" +
+                number + "-title\">\n<h3 id=\"step-" + number + "-title\"><span>" + number + "/" +
+                count + "</span> " + escaped_html(step.title) + "</h3>\n<figure>" +
+                picture_html(write_picture(name, step.figure), step.figure) + "</figure>\n" +
+                with_symbols(markdown_to_html(step.text, {})) + numbers_html(step.numbers) +
+                "</article>\n";
+    }
+    return html +
+           "<p class=\"hint\" hidden>The arrow keys <kbd>←</kbd> <kbd>→</kbd> step back and "
+           "forwards, <kbd>Home</kbd> and <kbd>End</kbd> go to the ends.</p>\n</section>\n";
+}
+
+std::string video_html(const Lesson& lesson, const VideoFiles& video) {
+    if (video.light.empty()) return "<p class=\"note\">This book was written without videos.</p>\n";
+    const std::string type = video.light.ends_with(".webm") ? "video/webm" : "video/mp4";
+    const std::string dark = video.dark.empty()
+                                 ? std::string()
+                                 : "<source src=\"" + video.dark + "\" type=\"" + type +
+                                       "\" media=\"(prefers-color-scheme: dark)\">";
+    return "<figure class=\"video\"><video controls muted playsinline loop preload=\"metadata\" "
+           "poster=\"" +
+           video.poster + "\" aria-label=\"" +
+           escaped_html(viz::plain_text(lesson.animation.title)) + "\">" + dark + "<source src=\"" +
+           video.light + "\" type=\"" + type + "\"></video><figcaption>" +
+           escaped_html(viz::plain_text(lesson.animation.title)) + "</figcaption></figure>\n";
+}
+
+}  // namespace
+
+std::string listing_html(const std::string& code) {
+    constexpr std::array<std::string_view, 24> keywords{
+        "auto", "bool",  "const", "constexpr", "double", "else",     "enum",      "false",
+        "for",  "if",    "int",   "inline",    "return", "static",   "struct",    "template",
+        "true", "using", "void",  "while",     "class",  "typename", "namespace", "nodiscard"};
+    std::string html;
+    const auto mark = [&](const char* kind, std::string_view text) {
+        html += std::string("<span class=\"") + kind + "\">" + escaped_html(text) + "</span>";
+    };
+    for (std::size_t i = 0; i < code.size();) {
+        std::size_t end = i + 1;
+        if (code.compare(i, 2, "//") == 0) {
+            end = std::min(code.find('\n', i), code.size());
+            mark("comment", std::string_view(code).substr(i, end - i));
+        } else if (code[i] == '"') {
+            while (end < code.size() && code[end] != '"') end += code[end] == '\\' ? 2 : 1;
+            end = std::min(end + 1, code.size());
+            mark("string", std::string_view(code).substr(i, end - i));
+        } else if (is_letter(code[i]) || code[i] == '_') {
+            while (end < code.size() && is_word(code[end])) ++end;
+            const std::string_view word = std::string_view(code).substr(i, end - i);
+            if (std::find(keywords.begin(), keywords.end(), word) != keywords.end())
+                mark("keyword", word);
+            else
+                html += word;
+        } else {
+            html += escaped_html(code.substr(i, 1));
+        }
+        i = end;
+    }
+    return "<pre class=\"listing\" tabindex=\"0\"><code>" + html + "</code></pre>\n";
+}
+
+std::string lesson_html(const Lesson& lesson, const VideoFiles& video,
+                        const WritePicture& write_picture) {
+    std::string html;
+    std::string pending;  // Markdown that waits for the end of its part
+    const auto flush = [&] {
+        html += with_symbols(markdown_to_html(pending, lesson.equations));
+        pending.clear();
+    };
+    std::size_t done = 0;
+    for (const Tag& tag : find_tags(lesson.markdown, lesson.entry.slug)) {
+        pending += lesson.markdown.substr(done, tag.begin - done);
+        done = tag.end;
+        if (tag.kind == "number") {
+            pending += lesson.numbers.at(tag.name).text;
+            continue;
+        }
+        flush();
+        if (tag.kind == "listing") html += listing_html(lesson.listings.at(tag.name));
+        if (tag.kind == "steps") html += steps_html(lesson, write_picture);
+        if (tag.kind == "video") html += video_html(lesson, video);
+        if (tag.kind == "figure") {
+            const viz::Figure& figure = lesson.figures.at(tag.name);
+            html +=
+                "<figure>" + picture_html(write_picture(tag.name, figure), figure) + "</figure>\n";
+        }
+    }
+    pending += lesson.markdown.substr(done);
+    flush();
+    return html;
+}
+
+}  // namespace lessons

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lessons/engine/lessons.hpp"
+
+namespace lessons {
+
+/// Lines of at most `columns` characters (not bytes), each after `indent`; blank lines, list items
+/// and indented code stay apart. With `styled`, **bold** is shown in bold; otherwise the marks are
+/// only left out.
+[[nodiscard]] std::string wrapped(std::string_view markdown, int columns, bool styled,
+                                  std::string_view indent = "");
+
+/// The text of a lesson for a terminal: numbers filled in, equations in plain characters,
+/// listings indented, figures by their alt text. Requires: the lesson passed check_lesson.
+[[nodiscard]] std::string text_for_terminal(const Lesson& lesson, int columns, bool styled);
+
+}  // namespace lessons

@@ -1,0 +1,229 @@
+#include "lessons/engine/sketch.hpp"
+
+#include <array>
+#include <charconv>
+#include <limits>
+
+#include "lessons/embed/source.hpp"
+#include "lodlab/core/base/error.hpp"
+
+namespace lessons {
+
+std::string shown(double value, int decimals) {
+    std::array<char, 400> buffer{};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                   std::chars_format::fixed, decimals)
+                         .ptr;
+    std::string text(buffer.data(), end);
+    if (text.front() != '-') return text;
+    const bool zero = text.find_first_of("123456789") == std::string::npos;
+    return (zero ? "" : "−") + text.substr(1);
+}
+
+std::string grouped(std::string digits) {
+    constexpr std::size_t group = 3;
+    constexpr std::size_t shortest = 5;  // 1000 reads well as it is
+    if (digits.size() < shortest) return digits;
+    for (std::size_t place = digits.size(); place > group; place -= group)
+        digits.insert(place - group, "\u202f");
+    return digits;
+}
+
+std::string with_unit(std::string number, const std::string& unit) {
+    return unit.empty() ? number : number + "\u00a0" + unit;
+}
+
+Number number(double value, int decimals, const std::string& unit) {
+    return {value, with_unit(shown(value, decimals), unit)};
+}
+
+Number tiny(double value, const std::string& unit) {
+    if (value == 0) return number(value, 0, unit);
+    constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::array<char, 32> buffer{};
+    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                    std::chars_format::scientific, 1)
+                          .ptr;
+    const std::string text(buffer.data(), end);  // "2.2e-16"
+    const std::size_t e = text.find('e');
+    std::string shown_text = text.substr(0, e) + "·10";
+    if (text[e + 1] == '-') shown_text += "⁻";
+    const std::size_t digits = text[e + 2] == '0' ? e + 3 : e + 2;
+    for (const char digit : text.substr(digits))
+        shown_text += raised[static_cast<std::size_t>(digit - '0')];
+    return {value, with_unit(shown_text, unit)};
+}
+
+std::string in_words(lod::Verdict verdict) {
+    if (verdict == lod::Verdict::apart) return "apart";
+    return verdict == lod::Verdict::possible ? "possible" : "true collision";
+}
+
+void add_step(Lesson& lesson, const std::string& title, const std::string& text, viz::Figure figure,
+              const Named& numbers, const std::string& figure_name) {
+    const std::string where = lesson.entry.slug + ", step '" + title + "'";
+    const auto number_named = [&](const std::string& name) {
+        const auto found = lesson.numbers.find(name);
+        if (found == lesson.numbers.end())
+            throw lod::Error(lod::ErrorKind::input_refused,
+                             where + ": the lesson has no number '" + name + "'");
+        return found->second;
+    };
+    Step step{title, {}, std::move(figure), {}};
+    std::size_t end = 0;
+    for (const Tag& tag : find_tags(text, where)) {
+        if (tag.kind != "number")
+            throw lod::Error(lod::ErrorKind::input_refused,
+                             where + ": a step's text holds numbers only, not a " + tag.kind);
+        step.text += text.substr(end, tag.begin - end) + number_named(tag.name).text;
+        end = tag.end;
+    }
+    step.text += text.substr(end);
+    for (const auto& [told, name] : numbers) step.numbers[told] = number_named(name);
+    if (!figure_name.empty()) lesson.figures[figure_name] = step.figure;
+    lesson.steps.push_back(std::move(step));
+}
+
+lod2d::Shape scaled(const lod2d::Shape& shape, double factor) {
+    lod2d::Polygon polygon = shape.polygon;
+    for (lod2d::Ring& ring : polygon.rings)
+        for (lod2d::Point& p : ring) p *= factor;
+    return lod2d::make_shape(shape.name, polygon);
+}
+
+std::size_t edge_count(const lod2d::Polygon& polygon) {
+    std::size_t edges = 0;
+    for (const lod2d::Ring& ring : polygon.rings) edges += ring.size();
+    return edges;
+}
+
+namespace {
+
+template <int Dim>
+viz::Actor<Dim> dressed(const std::string& name, viz::Look<Dim> look, double measure,
+                        const lod::Inertia<Dim>& second_moment,
+                        std::shared_ptr<const lod::SphereTree<Dim>> tree) {
+    viz::Actor<Dim> result;
+    result.look = std::move(look);
+    result.look.name = name;
+    lod::set_mass<Dim>(result.body, measure, second_moment);
+    result.body.tree = std::move(tree);
+    return result;
+}
+
+}  // namespace
+
+viz::Actor<2> actor(const std::string& name, const lod2d::Shape& shape,
+                    std::shared_ptr<const lod::SphereTree<2>> tree) {
+    const lod::Inertia<2> second_moment = lod::Inertia<2>::Constant(shape.second_moment);
+    return dressed<2>(name, viz::look_of(shape), shape.area, second_moment, std::move(tree));
+}
+
+viz::Actor<3> actor(const std::string& name, const lod3d::Solid& solid,
+                    std::shared_ptr<const lod::SphereTree<3>> tree) {
+    return dressed<3>(name, viz::look_of(solid), solid.volume, solid.second_moment,
+                      std::move(tree));
+}
+
+std::shared_ptr<const lod::SphereTree<2>> tree_of(const lod2d::Shape& shape, int depth,
+                                                  lod2d::Builder builder) {
+    lod2d::TreeSettings settings;
+    settings.builder = builder;
+    settings.depth = depth;
+    return std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(shape, settings));
+}
+
+lod2d::BoundaryIndex outline_of(const lod2d::Shape& shape, const lod::Body<2>& body) {
+    return lod2d::BoundaryIndex(shape.polygon).carried({body.position, body.orientation});
+}
+
+viz::Point at(const lod::Vector<2>& p) {
+    return {p.x(), p.y()};
+}
+
+viz::Style style(viz::Role role, int body, int level) {
+    return {role, body, level, 1};
+}
+
+template <int Dim>
+void add_ball(viz::Panel& panel, const lod::Sphere<Dim>& ball, viz::Style style) {
+    viz::Sight<Dim>::add_ball(panel, style, ball);
+}
+
+template <int Dim>
+void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& p, int body) {
+    using Sight = viz::Sight<Dim>;
+    panel.marks.push_back(
+        viz::Dot{style(role, body), Sight::on(panel, p), 1, Sight::depth(panel, p)});
+}
+
+template <int Dim>
+void add_line(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& from,
+              const lod::Vector<Dim>& to, int body) {
+    const std::array<lod::Vector<Dim>, 2> ends{from, to};
+    viz::add_line<Dim>(panel, style(role, body), ends, 1);
+}
+
+template <int Dim>
+void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& tail,
+               const lod::Vector<Dim>& tip, const std::string& label, int body) {
+    viz::add_arrow<Dim>(panel, style(role, body), tail, tip, label);
+}
+
+template <int Dim>
+void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& anchor,
+               const std::string& text, int body, double clearance) {
+    using Sight = viz::Sight<Dim>;
+    panel.marks.push_back(viz::Label{style(role, body), Sight::on(panel, anchor), text,
+                                     clearance * Sight::magnification(panel, anchor)});
+}
+
+template <int Dim>
+void add_centres(viz::Panel& panel, const lod::Sphere<Dim>& a, const lod::Sphere<Dim>& b) {
+    add_line<Dim>(panel, viz::Role::construction, a.centre, b.centre);
+    for (const lod::Vector<Dim>& centre : {a.centre, b.centre})
+        add_dot<Dim>(panel, viz::Role::contact, centre);
+    add_label<Dim>(panel, viz::Role::note, a.centre, "*o*_a");
+    add_label<Dim>(panel, viz::Role::note, b.centre, "*o*_b");
+}
+
+viz::Box box(double left, double bottom, double right, double top) {
+    return {{left, bottom}, {right, top}};
+}
+
+viz::Box box_round(const std::vector<lod::Sphere<2>>& discs) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    viz::Box round{{far, far}, {-far, -far}};
+    for (const lod::Sphere<2>& disc : discs) {
+        const double r = disc.radius;
+        round = viz::united(round, {{disc.centre.x() - r, disc.centre.y() - r},
+                                    {disc.centre.x() + r, disc.centre.y() + r}});
+    }
+    return round;
+}
+
+viz::Figure figure_of(viz::Panel panel, std::string title, std::string alt) {
+    viz::Figure figure;
+    figure.aspect = page_aspect;
+    figure.title = std::move(title);
+    figure.alt = std::move(alt);
+    figure.panels.push_back(std::move(panel));
+    return figure;
+}
+
+#define LESSONS_MARKS(Dim)                                                            \
+    template void add_ball(viz::Panel&, const lod::Sphere<Dim>&, viz::Style);         \
+    template void add_dot<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&, int); \
+    template void add_line<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&,      \
+                                const lod::Vector<Dim>&, int);                        \
+    template void add_arrow<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&,     \
+                                 const lod::Vector<Dim>&, const std::string&, int);   \
+    template void add_label<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&,     \
+                                 const std::string&, int, double);                    \
+    template void add_centres(viz::Panel&, const lod::Sphere<Dim>&, const lod::Sphere<Dim>&);
+
+LESSONS_MARKS(2)
+LESSONS_MARKS(3)
+#undef LESSONS_MARKS
+
+}  // namespace lessons
