@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <iostream>
 
-#include "cli/output.hpp"
-#include "cli/parse.hpp"
+#include "cli/arguments/parse.hpp"
+#include "cli/terminal/output.hpp"
 #include "lodlab/core/base/error.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "lodlab/scenes/scene.hpp"
-#include "lodlab/scenes/toml_document.hpp"
+#include "lodlab/scenes/toml/toml_document.hpp"
 
 namespace scenes {
 

@@ -31,10 +31,13 @@ TEST_CASE("the help lists every command with an example of its own") {
     }
 }
 
-TEST_CASE("the version is printed") {
+TEST_CASE("the version is printed, with the commit and the libraries") {
     const Outcome version = lodlab({"--version"});
     CHECK(version.code == 0);
-    CHECK(version.out.starts_with("lodlab "));
+    CHECK(version.out.starts_with("lodlab 0."));
+    CHECK(contains(version.out, "commit"));
+    CHECK(contains(version.out, "Cairo"));
+    CHECK(contains(version.out, "libavcodec"));
 }
 
 TEST_CASE("a command line that is not understood ends in one line and code 2") {

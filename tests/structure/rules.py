@@ -1,10 +1,11 @@
 """The rules of the house, read from the sources: which folder may include which, where Dim may be
-tested, where the large libraries may appear, how long a file and a function may be, and that nothing
+tested, where the large libraries may appear, how large a folder, a file and a function may be, and that nothing
 is written once for the plane and once for space.
 
 Usage: rules.py FOLDER    prints each breach as file:line: what; exits 1 when there is one
 """
 
+import collections
 import difflib
 import pathlib
 import re
@@ -47,7 +48,11 @@ MAY_INCLUDE = {
     "lessons/engine": ["core", "lod2d", "lod3d", "viz", "lessons/embed"],
     "lessons/course": ["core", "lod2d", "lod3d", "viz", "lessons/engine"],
     "lessons/book": ["core", "io", "lod2d", "lod3d", "viz", "lessons/embed", "lessons/engine"],
-    "cli": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons"],
+    "cli/terminal": ["core"],
+    "cli/arguments": ["core", "lod2d", "lod3d", "scenes", "viz", "cli/terminal"],
+    "cli/stage": ["core", "lod2d", "lod3d", "scenes", "measure", "viz", "cli/terminal", "cli/arguments"],
+    "cli/commands": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons", "cli/terminal", "cli/arguments", "cli/stage"],
+    "cli": ["core", "cli"],
     "examples": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons"],
     "tests": LIBRARIES,
     "bench": LIBRARIES + ["tests"],  # it measures against the oracles of the tests
@@ -100,6 +105,7 @@ MOST_ALIKE = 0.75  # of the tokens of two bodies
 MOST_FILE_LINES = 400
 CUT_NAME = re.compile(r'TEST_CASE(_SIG)?\("[^"]*;')
 MOST_FUNCTION_LINES = 60
+MOST_FOLDER_FILES = 20
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<[^>]+>|"[^"]+")')
 NO_FUNCTION = re.compile(r"^(if|for|while|switch|else|do|catch|try|namespace|struct|class|enum|union|extern)\b")
@@ -191,6 +197,14 @@ def check_includes(name, text, breaches):
             breaches.append(f"{name}:{line}: {room} must not include {included}")
         elif re.match(ALONE + r"\.", name) and not re.match(ALONE + r"\.", other):
             breaches.append(f"{name}:{line}: {ALONE} stands alone; it must not include {included}")
+
+
+def check_folders(texts, breaches):
+    """No folder has more sources than a reader can overlook."""
+    sizes = collections.Counter(name.rpartition("/")[0] for name in texts)
+    for folder, files in sorted(sizes.items()):
+        if files > MOST_FOLDER_FILES:
+            breaches.append(f"{folder}/:1: {files} sources; at most {MOST_FOLDER_FILES}")
 
 
 def check_one_source(texts, breaches):
@@ -317,6 +331,7 @@ def breaches_in(root):
     for name, text in texts.items():
         check_includes(name, text, breaches)
         check_code(name, text, breaches)
+    check_folders(texts, breaches)
     check_one_source(texts, breaches)
     check_circles(texts, breaches)
     check_twins(texts, breaches)

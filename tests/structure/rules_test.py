@@ -30,9 +30,9 @@ HOUSE = {
     "viz/figure/figure.cpp": '#include "viz/figure/figure.hpp"\n',
     "viz/draw/tree.hpp": '#include "lod2d/shape/shape.hpp"\n#include "viz/figure/figure.hpp"\n',
     "viz/draw/motion/run.cpp": '#include "viz/draw/tree.hpp"\n',
-    "viz/paint/space/render.cpp": '#include "viz/paint/canvas.hpp"\n',
-    "viz/paint/canvas.hpp": '#include "viz/figure/figure.hpp"\n',
-    "cli/main.cpp": '#include <CLI/CLI.hpp>\n#include "viz/figure/figure.hpp"\n',
+    "viz/paint/space/render.cpp": '#include "viz/paint/canvas/canvas.hpp"\n',
+    "viz/paint/canvas/canvas.hpp": '#include "viz/figure/figure.hpp"\n',
+    "cli/commands/main.cpp": '#include <CLI/CLI.hpp>\n#include "viz/figure/figure.hpp"\n',
     "tests/video.cpp": "#include <libavformat/avformat.h>\n",
     "core/base/long.cpp": "void f() {\n" + "    g();\n" * 58 + "}\nstruct S {\n" + "int i;\n" * 300 + "};\n",
 }
@@ -43,7 +43,7 @@ BREACHES = {
     "geometry includes a reader of drawings": ("lod2d/builder/a.cpp", '#include "lod2d/source/svg.hpp"\n'),
     "geometry includes the reference": ("lod2d/shape/b.cpp", '#include "measure/reference/box2d_reference.hpp"\n'),
     "a room of core includes one above": ("core/math/a.hpp", '#include "core/tree/body.hpp"\n'),
-    "drawing includes painting": ("viz/draw/a.cpp", '#include "viz/paint/canvas.hpp"\n'),
+    "drawing includes painting": ("viz/draw/a.cpp", '#include "viz/paint/canvas/canvas.hpp"\n'),
     "painting includes drawing": ("viz/paint/space/a.cpp", '#include "viz/draw/tree.hpp"\n'),
     "a room includes one that stands on it": ("viz/draw/a.cpp", '#include "viz/draw/motion/run.hpp"\n'),
     "a file in no room": ("viz/a.cpp", "int i;\n"),
@@ -54,7 +54,7 @@ BREACHES = {
     "Dim is compared": ("core/tree/a.hpp", "template <int Dim> int f() { return Dim == 2 ? 1 : 3; }\n"),
     "Dim is compared from the left": ("core/tree/a.hpp", "static_assert(2 != Dim);\n"),
     "a specialisation for one dimension": ("core/tree/a.cpp", "template <> void f<2>(int) {}\n"),
-    "a second file for Box2D": ("cli/a.cpp", "#include <box2d/b2_body.h>\n"),
+    "a second file for Box2D": ("cli/commands/a.cpp", "#include <box2d/b2_body.h>\n"),
     "a function of the C library": ("measure/a.cpp", "double f(double x) { return std::atan2(x, 2); }\n"),
     "Eigen in a header": ("core/tree/a.hpp", "#include <Eigen/Core>\n"),
     "a library crosses the border to Eigen": ("lod3d/solid/a.cpp", '#include "core/math/eigen.hpp"\n'),
@@ -92,6 +92,10 @@ class Rules(unittest.TestCase):
                 found = self.breaches({name: text})
                 self.assertTrue(found)
                 self.assertTrue(any(breach.startswith(name) for breach in found), found)
+
+    def test_a_full_folder_is_a_breach(self):
+        full = {f"core/base/file_{i}.hpp": "" for i in range(20)}
+        self.assertTrue(any(breach.startswith("core/base/:") for breach in self.breaches(full)))
 
     def test_an_empty_folder_is_a_breach(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -5,7 +5,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/figure/json.hpp"
-#include "lodlab/viz/paint/document.hpp"
+#include "lodlab/viz/paint/canvas/document.hpp"
 #include "lodlab/viz/paint/paint.hpp"
 #include "lodlab/viz/paint/write.hpp"
 #include "tests/catch.hpp"

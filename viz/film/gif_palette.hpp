@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lodlab/viz/paint/canvas.hpp"
+#include "lodlab/viz/paint/canvas/canvas.hpp"
 
 namespace viz {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/viz/paint/canvas.hpp"
+#include "lodlab/viz/paint/canvas/canvas.hpp"
 
 namespace viz {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lodlab/viz/paint/canvas.hpp"
+#include "lodlab/viz/paint/canvas/canvas.hpp"
 
 namespace viz {
 

@@ -1,0 +1,88 @@
+#include "cli/arguments/check_options.hpp"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/viz/film/write.hpp"
+
+namespace cli {
+namespace {
+
+/// An option beside which most others mean nothing.
+struct Alone {
+    std::string_view command;
+    std::string_view option;
+    std::string_view beside;  ///< what may be given too
+    std::string_view why;
+};
+constexpr Alone alone[] = {
+    {"tree", "--list", "", "only prints what there is"},
+    {"degrade", "--merge", "--out --json --theme --quality", "takes the rest from the shares"},
+    {"simulate", "--replay",
+     "SCENE --strip --plot --out --trace --no-cache --raise-limits --theme --quality --json",
+     "takes its limit, duration and models from the trace"},
+};
+
+/// An option that says how something else is done.
+struct Needed {
+    std::string_view command;
+    std::string_view option;
+    std::string_view what;
+    bool (*given)(const Options& options);
+    std::string_view mend;
+};
+
+bool has_picture(const Options& options) {
+    return std::ranges::any_of(options.out,
+                               [](const auto& path) { return !viz::is_video_path(path); });
+}
+bool has_urdf(const Options& options) {
+    return std::ranges::any_of(options.out,
+                               [](const auto& path) { return path.ends_with(".urdf"); });
+}
+bool has_number(const Options& options) {
+    return options.number.has_value();
+}
+constexpr Needed needed[] = {
+    {"collide", "--projected", "what a picture shows", has_picture, "add --out FILE.png"},
+    {"simulate", "--strip", "what a still picture shows", has_picture, "add --out FILE.png"},
+    {"simulate", "--plot", "what a still picture shows", has_picture, "add --out FILE.png"},
+    {"tree", "--level", "which level a .urdf file holds", has_urdf,
+     "add --out FILE.urdf; --depth limits the levels of the tree"},
+    {"lesson", "--out", "where the pictures of a lesson go", has_number,
+     "name one, as in lodlab lesson 3"},
+};
+
+[[noreturn]] void misused(const std::string& line) {
+    throw lod::Error(lod::ErrorKind::usage, line);
+}
+
+bool has_word(std::string_view words, std::string_view word) {
+    const std::string between = ' ' + std::string(words) + ' ';
+    return between.find(' ' + std::string(word) + ' ') != std::string::npos;
+}
+
+}  // namespace
+
+void check_options(const Command& command, const Options& options) {
+    const auto given = [&](std::string_view option) {
+        return std::ranges::find(options.given, option) != options.given.end();
+    };
+    if (given("--strip") && given("--plot"))
+        misused(
+            "--strip and --plot are two pictures; give one of them, and run again for the other");
+    for (const Alone& one : alone) {
+        if (one.command != command.name || !given(one.option)) continue;
+        for (const std::string& other : options.given)
+            if (other != one.option && !has_word(one.beside, other))
+                misused(std::string(one.option) + " " + std::string(one.why) + "; drop " + other);
+    }
+    for (const Needed& one : needed)
+        if (one.command == command.name && given(one.option) && !one.given(options))
+            misused(std::string(one.option) + " says " + std::string(one.what) + "; " +
+                    std::string(one.mend));
+}
+
+}  // namespace cli

@@ -1,0 +1,115 @@
+#include "cli/stage/staging.hpp"
+
+#include <algorithm>
+
+#include "cli/terminal/output.hpp"
+#include "cli/terminal/progress.hpp"
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/scenes/places.hpp"
+#include "lodlab/scenes/trace.hpp"
+
+namespace cli {
+namespace {
+
+constexpr double most_frames = 100'000;  // at 240 a second, seven minutes
+
+template <class Choice>
+void override_choice(const std::string& name, Choice& choice) {
+    choice = lod::named<Choice>(name).value_or(choice);
+}
+
+void override_limits(const Options& options, scenes::Limits& limits) {
+    const int given =
+        (options.level ? 1 : 0) + (options.budget ? 1 : 0) + (options.milliseconds ? 1 : 0);
+    if (given > 1)
+        throw lod::Error(lod::ErrorKind::usage,
+                         "--level, --budget and --milliseconds exclude each other; give one");
+    if (given == 1) limits = {options.level, options.budget, options.milliseconds};
+}
+
+void check_frames(const scenes::Scene& scene, const Options& options) {
+    const double most = most_frames * options.raise_limits;
+    if (static_cast<double>(scene.frames()) > most)
+        throw lod::Error(lod::ErrorKind::limit_exceeded,
+                         std::to_string(scene.frames()) + " frames, the limit is " +
+                             readable(most) +
+                             "; shorten the duration, or raise the limit by --raise-limits");
+}
+
+const lod::Clock& steady_clock() {
+    static const lod::SteadyClock clock;
+    return clock;
+}
+
+}  // namespace
+
+io::TreeCache cache_of(const Options& options) {
+    return options.no_cache ? io::TreeCache() : io::TreeCache::of_user();
+}
+
+scenes::Scene scene_of(const Options& options) {
+    scenes::Scene scene = scenes::load_scene(scenes::scene_file(options.scene));
+    override_limits(options, scene.limits);
+    override_choice(options.response, scene.response);
+    override_choice(options.contact_model, scene.contact_model);
+    override_choice(options.point_model, scene.point_model);
+    override_choice(options.finest, scene.finest.level);
+    if (!options.sweep.empty()) scene.sweep = options.sweep == "on";
+    if (options.duration) scene.duration = *options.duration;
+    check_frames(scene, options);
+    if (options.at) {
+        scenes::Scene until = scene;
+        until.duration = *options.at;
+        check_frames(until, options);
+    }
+    return scene;
+}
+
+template <int Dim>
+scenes::Setup<Dim> stage(const scenes::Scene& scene, const Options& options) {
+    ProgressBar bar("Building the trees");
+    scenes::SetupOptions how;
+    how.raise_limits = options.raise_limits;
+    how.cache = cache_of(options);
+    how.progress = [&](double share) { bar.show(share); };
+    scenes::Setup<Dim> setup = scenes::set_up<Dim>(scene, how);
+    for (const std::string& warning : setup.warnings) remark(warning);
+    return setup;
+}
+
+template <int Dim>
+scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
+                      const std::string& label) {
+    const scenes::Scene& scene = setup.scene;
+    check_frames(scene, options);
+    ProgressBar bar(label);
+    scenes::RunOptions run;
+    run.settings = scenes::frame_settings(scene, scene.limits);
+    run.frames = scene.frames();
+    run.limits = scene.limits;
+    run.clock = &steady_clock();
+    run.progress = [&](double share) { bar.show(share); };
+    scenes::Run<Dim> result = scenes::run(setup.bodies, run);
+    for (const std::string& line : scenes::speed_warnings<Dim>(scene, setup.bodies, result))
+        remark(line);
+    return result;
+}
+
+template <int Dim>
+scenes::Run<Dim> play_again(const scenes::Setup<Dim>& setup, const scenes::Trace& trace) {
+    ProgressBar bar("Playing again");
+    scenes::RunOptions run;
+    run.clock = &steady_clock();
+    run.progress = [&](double share) { bar.show(share); };
+    return scenes::replay(trace, setup.bodies, run);
+}
+
+#define CLI_INSTANTIATE(Dim)                                                                       \
+    template scenes::Setup<Dim> stage(const scenes::Scene&, const Options&);                       \
+    template scenes::Run<Dim> play(const scenes::Setup<Dim>&, const Options&, const std::string&); \
+    template scenes::Run<Dim> play_again(const scenes::Setup<Dim>&, const scenes::Trace&);
+CLI_INSTANTIATE(2)
+CLI_INSTANTIATE(3)
+#undef CLI_INSTANTIATE
+
+}  // namespace cli

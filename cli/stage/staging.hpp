@@ -1,0 +1,33 @@
+#pragma once
+
+#include "cli/arguments/options.hpp"
+#include "lodlab/scenes/run.hpp"
+#include "lodlab/scenes/setup.hpp"
+#include "lodlab/scenes/trace.hpp"
+
+namespace cli {
+
+/// The user's cache of trees, unless the options say no.
+[[nodiscard]] io::TreeCache cache_of(const Options& options);
+
+/// The scene that the options name, with what the options override. Throws lod::Error as
+/// scenes::load_scene does; limit exceeded where it has more frames than the limit.
+[[nodiscard]] scenes::Scene scene_of(const Options& options);
+
+/// Builds the trees of a scene, with a progress bar, and reports bodies that start inside each
+/// other.
+template <int Dim>
+[[nodiscard]] scenes::Setup<Dim> stage(const scenes::Scene& scene, const Options& options);
+
+/// Runs a staged scene under its limits, with a progress bar. `label` heads the bar.
+/// Throws lod::Error (limit exceeded) when that takes more frames than the limit.
+template <int Dim>
+[[nodiscard]] scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
+                                    const std::string& label);
+
+/// The same, from a trace.
+template <int Dim>
+[[nodiscard]] scenes::Run<Dim> play_again(const scenes::Setup<Dim>& setup,
+                                          const scenes::Trace& trace);
+
+}  // namespace cli

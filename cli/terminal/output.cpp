@@ -1,0 +1,46 @@
+#include "cli/terminal/output.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "lodlab/core/base/error.hpp"
+
+namespace cli {
+
+void print(const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+        throw lod::Error(lod::ErrorKind::output_failed, std::string("cannot write the result: ") +
+                                                            std::strerror(errno) +
+                                                            "; send it elsewhere");
+}
+
+void print(const nlohmann::ordered_json& json) {
+    // A name need not be UTF-8.
+    print(json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+}
+
+void remark(const std::string& line) {
+    std::string text = line;
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    std::cerr << "lodlab: " << text << '\n';
+}
+
+std::string readable(double number, int digits) {
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), number,
+                                   std::chars_format::general, digits)
+                         .ptr;
+    return {text.data(), end};
+}
+
+std::string right(const std::string& text, std::size_t width) {
+    return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
+}
+
+}  // namespace cli
