@@ -137,9 +137,11 @@ std::string followed_value(std::string_view property, std::string text, const Sv
     if (is_svg_length(property)) {
         std::string unknown;
         text = known_lengths(text, frame, unknown);
-        if (!unknown.empty())
+        if (!unknown.empty()) {
             notes.doubt("its " + named + " " + text + " is in " + unknown +
                         ", which is not followed here; write px");
+            return {};  // newer librsvg would follow some of them, by fonts that are there
+        }
     }
     if ((property == "fill" || property == "stroke") &&
         holds_call(text, {"color", "color-mix", "lab", "lch", "oklab", "oklch", "hwb",
