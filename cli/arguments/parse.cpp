@@ -192,6 +192,15 @@ std::string one_line(std::string text) {
     return text;
 }
 
+/// CLI11's words; of many words too many, as a shell's * gives them, only the first.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<std::string> extra = app.remaining(true);
+    if (!dynamic_cast<const CLI::ExtrasError*>(&error) || extra.size() < 2)
+        return one_line(error.what());
+    return extra.front() + " and " + std::to_string(extra.size() - 1) +
+           " more words are too many here";
+}
+
 }  // namespace
 
 std::vector<std::string> flags_of(const Command& command) {
@@ -235,7 +244,7 @@ Parsed parse(int argc, const char* const* argv) {
         parsed.text = text.str();
     } catch (const CLI::ParseError& error) {
         const std::string of = argv[1][0] != '-' ? std::string(argv[1]) + " " : "";
-        misused(one_line(error.what()) + "; lodlab " + of + "--help shows how");
+        misused(complaint(app, error) + "; lodlab " + of + "--help shows how");
     }
     if (parsed.command) check_options(*parsed.command, parsed.options);
     return parsed;

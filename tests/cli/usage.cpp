@@ -44,6 +44,8 @@ TEST_CASE("a command line that is not understood ends in one line and code 2") {
     check_misuse({}, "no command given");
     check_misuse({"simulat", "offset_boxes"}, "did you mean simulate?");
     check_misuse({"simulate"}, "SCENE is required");
+    check_misuse({"tree", "star:5", "star:6", "star:7"},
+                 "star:6 and 1 more words are too many here");
     check_misuse({"simulate", "offset_boxes", "--levl", "3"}, "did you mean --level?");
     check_misuse({"simulate", "offset_boxes", "--level", "three"}, "--level");
     check_misuse({"simulate", "offset_boxes", "--level", "-1"}, "--level");
