@@ -1,4 +1,4 @@
-"""CONTRIBUTING.md's lists are complete: the places that a list names are those that know the word that
+"""What is written of the house is true. CONTRIBUTING.md's lists are complete: the places that a list names are those that know the word that
 it follows, in the libraries, the program, their manuals and the table of bits.
 
 Usage: recipes_test.py FOLDER
@@ -8,6 +8,8 @@ import pathlib
 import re
 import sys
 import unittest
+
+from rules import includes_between_rooms
 
 ROOT = pathlib.Path(sys.argv.pop())
 FOLDERS = ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "cli", "tests/determinism"]
@@ -43,6 +45,10 @@ class Recipes(unittest.TestCase):
         for title, word, places in found:
             with self.subTest(title):
                 self.assertEqual(places, files_with(word) - OTHERS.get(word, set()))
+
+    def test_the_picture_of_the_rooms_is_of_the_includes(self):
+        drawn = (ROOT / "doc/rooms.txt").read_text(encoding="utf-8").split("\n")[:-1]
+        self.assertEqual(drawn, includes_between_rooms(ROOT), "draw doc/rooms.svg anew: tests/structure/draw_rooms.cpp")
 
     def test_every_lesson_is_a_folder_of_a_text_and_a_function(self):
         lessons = sorted(path for path in (ROOT / "lessons").rglob("[0-9][0-9]_*") if path.is_dir())

@@ -2,7 +2,8 @@
 tested, where the large libraries may appear, how large a folder, a file and a function may be, and that nothing
 is written once for the plane and once for space.
 
-Usage: rules.py FOLDER    prints each breach as file:line: what; exits 1 when there is one
+Usage: rules.py FOLDER             prints each breach as file:line: what; exits 1 when there is one
+       rules.py --includes FOLDER  prints which room includes which, for draw_rooms
 """
 
 import collections
@@ -319,14 +320,30 @@ def check_twins(texts, breaches):
                     )
 
 
-def breaches_in(root):
-    """Every breach below a folder, as file:line: what."""
+def texts_in(root):
+    """The sources of every room, by name."""
     root = pathlib.Path(root)
-    texts = {
+    return {
         path.relative_to(root).as_posix(): path.read_text(encoding="utf-8")
         for folder in sorted({room.split("/")[0] for room in MAY_INCLUDE})
         for path in sorted((root / folder).rglob("*.?pp"))
     }
+
+
+def includes_between_rooms(root):
+    """room and a room that it includes: a line each."""
+    pairs = set()
+    for name, text in texts_in(root).items():
+        for _, included in includes_of(text):
+            other = room_of(included.strip('"')) if included[0] == '"' else None
+            if other and other != room_of(name) and name.split("/")[0] in LIBRARIES:
+                pairs.add(f"{room_of(name)} {other}")
+    return sorted(pairs)
+
+
+def breaches_in(root):
+    """Every breach below a folder, as file:line: what."""
+    texts = texts_in(root)
     breaches = []
     for name, text in texts.items():
         check_includes(name, text, breaches)
@@ -341,6 +358,9 @@ def breaches_in(root):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) == 3 and sys.argv[1] == "--includes":
+        print("\n".join(includes_between_rooms(sys.argv[2])))
+        sys.exit()
     if len(sys.argv) != 2:
         sys.exit("rules.py: name the one folder to read")
     found = breaches_in(sys.argv[1])
