@@ -129,7 +129,7 @@ std::string row(const char* format, Values... values) {
 constexpr double degrees = 180 / 3.14159265358979323846;
 
 std::string motion_words(const lod::Body<2>& body) {
-    if (body.is_static()) return row("%29s", "at rest");
+    if (body.is_static()) return row("%26s   ", "at rest");
     return row("(%7.3f, %7.3f) %7.3f   ", body.velocity.x(), body.velocity.y(), body.spin[0]);
 }
 
