@@ -33,9 +33,12 @@ function(lodlab_install name)
       set(except PATTERN ${arg_EXCEPT} EXCLUDE)
     endif()
     get_filename_component(above ${arg_FOLDER} DIRECTORY)
+    lodlab_umbrella(${name} FOLDER ${arg_FOLDER} EXCEPT ${arg_EXCEPT})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/${arg_FOLDER}
             DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab/${above} FILES_MATCHING PATTERN "*.hpp"
             ${except})
+  else()
+    lodlab_umbrella(${name} INCLUDES ${arg_LODLAB})
   endif()
 
   set(NAME ${name})
@@ -52,6 +55,32 @@ function(lodlab_install name)
   install(FILES ${CMAKE_CURRENT_BINARY_DIR}/lodlab-${name}.pc
           DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
   set_property(GLOBAL APPEND PROPERTY LODLAB_COMPONENTS ${name})
+endfunction()
+
+# One header with all of a library's, <lodlab/NAME.hpp>, here and where they are installed; without the
+# one that wants Eigen. FOLDER and EXCEPT as above; INCLUDES: those of other libraries, for one that has
+# no headers.
+function(lodlab_umbrella name)
+  cmake_parse_arguments(arg "" "FOLDER;EXCEPT" "INCLUDES" ${ARGN})
+  set(includes)
+  if(arg_FOLDER)
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
+         ${PROJECT_SOURCE_DIR}/${arg_FOLDER}/*.hpp)
+    list(REMOVE_ITEM headers core/math/eigen.hpp)
+    if(arg_EXCEPT)
+      list(FILTER headers EXCLUDE REGEX "^${arg_FOLDER}/${arg_EXCEPT}/")
+    endif()
+    foreach(header ${headers})
+      string(APPEND includes "#include <lodlab/${header}>\n")
+    endforeach()
+  endif()
+  foreach(other ${arg_INCLUDES})
+    string(APPEND includes "#include <lodlab/${other}.hpp>\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${lodlab_includes}/lodlab/${name}.hpp @ONLY
+       CONTENT "#pragma once\n\n// All of lodlab's library ${name}.\n\n${includes}")
+  install(FILES ${lodlab_includes}/lodlab/${name}.hpp
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab)
 endfunction()
 
 # Call once, after the libraries.

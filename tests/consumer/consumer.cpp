@@ -4,10 +4,10 @@
 #include <cstdio>
 #include <vector>
 
-#include <lodlab/core/frame/frame.hpp>
-#include <lodlab/lod2d/builder/build_tree.hpp>
-#include <lodlab/scenes/setup.hpp>
-#include <lodlab/viz/paint/write.hpp>
+#include <lodlab/core.hpp>
+#include <lodlab/lod2d.hpp>
+#include <lodlab/scenes.hpp>
+#include <lodlab/viz.hpp>
 
 lod::Body<2> disc(double mass, double x, double velocity) {
     const lod2d::Shape shape = scenes::Shapes<2>::named("disc", {});
