@@ -134,29 +134,32 @@ bool separates(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const Vector<Di
     return normal.dot(bottom - top) > slack;
 }
 
+template <int Dim>
+const Vector<Dim>& corner(const PosedHull<Dim>& hull, std::int32_t number) {
+    return hull.corners[static_cast<std::size_t>(number)];
+}
+
+/// Whether an edge is one that only cuts made, or turns away from the surface there (see is_cut).
+template <int Dim>
+bool is_inner(const PosedHull<Dim>& hull, const HullEdge& edge, const Vector<Dim>& outwards) {
+    const auto left = static_cast<std::size_t>(edge.left);
+    const auto right = static_cast<std::size_t>(edge.right);
+    const bool cut_left = hull.body.inner[left] != 0;
+    const bool cut_right = hull.body.inner[right] != 0;
+    if (cut_left && cut_right) return true;
+    if (hull.body.cut[static_cast<std::size_t>(edge.from)] == 0 ||
+        hull.body.cut[static_cast<std::size_t>(edge.to)] == 0)
+        return false;
+    return cut_left != cut_right &&
+           outwards.dot(hull.normals[cut_left ? right : left]) < along_surface;
+}
+
 /// Looks at the pairs of edges whose crossing may be where the hulls are nearest to each other:
 /// those whose arcs cross on the Gauss map, A's between its two faces' normals and B's, reversed.
 /// Returns false where one separates.
 template <int Dim>
 bool look_at_edges(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const PairMotion<Dim>& motion,
                    double slack, Axes<Dim>& axes) {
-    const auto corner = [](const PosedHull<Dim>& hull, std::int32_t number) -> const Vector<Dim>& {
-        return hull.corners[static_cast<std::size_t>(number)];
-    };
-    // Like corners: see is_cut.
-    const auto inner = [](const PosedHull<Dim>& hull, const HullEdge& edge,
-                          const Vector<Dim>& outwards) {
-        const auto left = static_cast<std::size_t>(edge.left);
-        const auto right = static_cast<std::size_t>(edge.right);
-        const bool cut_left = hull.body.inner[left] != 0;
-        const bool cut_right = hull.body.inner[right] != 0;
-        if (cut_left && cut_right) return true;
-        if (hull.body.cut[static_cast<std::size_t>(edge.from)] == 0 ||
-            hull.body.cut[static_cast<std::size_t>(edge.to)] == 0)
-            return false;
-        return cut_left != cut_right &&
-               outwards.dot(hull.normals[cut_left ? right : left]) < along_surface;
-    };
     for (const HullEdge& edge_a : a.body.edges) {
         const Vector<Dim>& n1 = a.normals[static_cast<std::size_t>(edge_a.left)];
         const Vector<Dim>& n2 = a.normals[static_cast<std::size_t>(edge_a.right)];
@@ -184,7 +187,7 @@ bool look_at_edges(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const PairM
                 continue;
             }
             Axis<Dim> axis;
-            axis.inner = inner(a, edge_a, normal) || inner(b, edge_b, Vector<Dim>(-normal));
+            axis.inner = is_inner(a, edge_a, normal) || is_inner(b, edge_b, Vector<Dim>(-normal));
             axis.edge_a = &edge_a;
             axis.edge_b = &edge_b;
             axis.normal = normal;

@@ -33,7 +33,7 @@ HOUSE = {
     "viz/paint/space/render.cpp": '#include "viz/paint/canvas/canvas.hpp"\n',
     "viz/paint/canvas/canvas.hpp": '#include "viz/figure/figure.hpp"\n',
     "cli/commands/main.cpp": '#include <CLI/CLI.hpp>\n#include "viz/figure/figure.hpp"\n',
-    "tests/video.cpp": "#include <libavformat/avformat.h>\n",
+    "tests/video.cpp": "#include <libavformat/avformat.h>\n#include <lodlab/core.hpp>\n",
     "core/base/long.cpp": "void f() {\n" + "    g();\n" * 58 + "}\nstruct S {\n" + "int i;\n" * 300 + "};\n",
 }
 
@@ -49,6 +49,7 @@ BREACHES = {
     "a file in no room": ("viz/a.cpp", "int i;\n"),
     "pictures include scenes": ("viz/draw/a.cpp", '#include "scenes/scene.hpp"\n'),
     "a library includes the tests": ("scenes/a.cpp", '#include "tests/catch.hpp"\n'),
+    "a library includes all of another": ("viz/draw/a.cpp", '#include "lodlab/core.hpp"\n'),
     "an include without its folder": ("viz/draw/a.cpp", '#include "tree.hpp"\n'),
     "figure includes something of ours": ("viz/figure/figure.hpp", '#include "core/tree/body.hpp"\n'),
     "Dim is compared": ("core/tree/a.hpp", "template <int Dim> int f() { return Dim == 2 ? 1 : 3; }\n"),
