@@ -12,9 +12,9 @@ namespace lod {
 /// One place where two bodies are taken to touch. World frame, metres.
 template <int Dim>
 struct Contact {
-    Vector<Dim> point = Vector<Dim>::Zero();   ///< on the line through the two centres
+    Vector<Dim> point = Vector<Dim>::Zero();   ///< where they touch: see ContactModel
     Vector<Dim> normal = Vector<Dim>::Zero();  ///< unit, from body A towards body B
-    double depth = 0;                          ///< overlap of the two balls, >= 0
+    double depth = 0;                          ///< overlap of what touches: balls, hulls
 };
 
 /// Points of one place where two bodies touch, at most: with one normal the closing velocity is

@@ -11,8 +11,11 @@
 #include "lodlab/core/response/response.hpp"
 #include "lodlab/core/tree/budget.hpp"
 
+// One frame: `advance` does all of it, `detect` all that changes no body. Both are at the end.
+
 namespace lod {
 
+/// How a frame goes.
 struct FrameSettings {
     double time_step = 1.0 / 120;  ///< [s], > 0
     int deepest_level = 1000;      ///< refinement stops after this level

@@ -157,7 +157,7 @@ struct Space {
     }
 
     /// The rotation of free motion over h seconds: the turn in the world frame [rad] and the spin
-    /// after it. See integrate.hpp for the method in space.
+    /// after it. See core/frame/integrate.hpp for the method in space.
     struct FreeTurn {
         Spin turn;
         Spin spin;

@@ -24,7 +24,7 @@ struct BorderSegment {
 class PolygonPiece {
   public:
     PolygonPiece() = default;
-    /// The whole polygon. Requires what shape.hpp says of polygons.
+    /// The whole polygon. Requires what lod2d/shape/shape.hpp says of polygons.
     explicit PolygonPiece(const Polygon& polygon);
 
     /// What of the piece lies in every half-plane.

@@ -101,6 +101,9 @@ Shape make_shape(std::string name, const Polygon& polygon) {
     // About the box's middle first, so that a small shape far from the origin keeps its digits.
     const Point middle = rounded_to_grid(box.centre(), extent);
     const Moments about_middle = moments(moved(polygon, -middle));
+    if (about_middle.area < -1e-12 * extent * extent)
+        lod::refuse_input(use_of(name),
+                          "it runs clockwise; give outer rings anticlockwise, holes clockwise");
     if (!(about_middle.area > 1e-12 * extent * extent) || extent < smallest_extent)
         lod::refuse_input(use_of(name),
                           "its area is zero; give a closed outline that encloses something");

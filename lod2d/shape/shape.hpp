@@ -38,7 +38,8 @@ struct Shape {
 
 /// Centres a polygon on its centre of mass and takes its exact integrals.
 /// Throws lod::Error (input refused) where the polygon is empty, not finite or has no area (less
-/// than 1e-12 of the square about it). Does not repair rings: for raw outlines see clean.hpp.
+/// than 1e-12 of the square about it). Requires: rings as Polygon says; only the whole area is
+/// checked. For raw outlines see lod2d/source/paths/clean.hpp (library lod2d_source).
 [[nodiscard]] Shape make_shape(std::string name, const Polygon& polygon);
 
 }  // namespace lod2d

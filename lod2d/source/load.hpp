@@ -18,8 +18,8 @@ struct LoadSettings {
 };
 
 /// The shape that a reader names: a file ending in .svg or .svgz (see svg.hpp), "text:R" (see
-/// font.hpp), or a generator with its numbers, "gear:9" (see generators.hpp). Throws lod::Error, as
-/// those do; usage, naming what is understood, for anything else.
+/// font.hpp), or a generator with its numbers, "gear:9" (see lod2d/shape/generators.hpp). Throws
+/// lod::Error, as those do; usage, naming what is understood, for anything else.
 [[nodiscard]] Shape load_shape(std::string_view spec, const LoadSettings& settings = {});
 
 /// Whether load_shape() would take the spec for a shape of the plane (it may still refuse it).

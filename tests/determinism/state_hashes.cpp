@@ -44,7 +44,9 @@ int compare(const Report& report, const char* path) {
     other += static_cast<int>(expected.size());
     std::printf("%d of %d hashes are those in %s\n", same, same + other, path);
     if (other > 0)
-        std::puts("Where the change is meant, write them there: state_hashes > hashes.txt");
+        std::puts(
+            "Where the change is meant, write them there: state_hashes > "
+            "tests/determinism/hashes.txt");
     return other > 0 ? 1 : 0;
 }
 

@@ -99,3 +99,10 @@ TEST_CASE("a shape that bounds nothing is refused", "[shape]") {
     CHECK(refused({{{{0, 0}, {1e300, 0}, {0, 1e300}}}}));
     CHECK(refused({{{{0, 0}, {1e-300, 0}, {0, 1e-300}}}}));
 }
+
+TEST_CASE("an outline that runs clockwise is refused by that name") {
+    const lod2d::Polygon clockwise{{{{0, 0}, {0, 1}, {1, 1}, {1, 0}}}};
+    CHECK_THROWS_WITH(lod2d::make_shape("square", clockwise), lodtest::contains("clockwise"));
+    const lod2d::Polygon flat{{{{0, 0}, {1, 0}, {2, 0}}}};
+    CHECK_THROWS_WITH(lod2d::make_shape("line", flat), lodtest::contains("area is zero"));
+}

@@ -50,6 +50,19 @@ class Recipes(unittest.TestCase):
         drawn = (ROOT / "doc/rooms.txt").read_text(encoding="utf-8").split("\n")[:-1]
         self.assertEqual(drawn, includes_between_rooms(ROOT), "draw doc/rooms.svg anew: tests/structure/draw_rooms.cpp")
 
+    def test_every_file_that_a_comment_or_a_manual_names_is_there(self):
+        manuals = [path for path in ROOT.glob("*.md") if path.name != "CHANGELOG.md"]
+        sources = [path for folder in FOLDERS + ["lessons", "examples"] for path in (ROOT / folder).rglob("*")]
+        for path in manuals + [path for path in sources if path.suffix in (".hpp", ".cpp", ".md")]:
+            text = path.read_text(encoding="utf-8")
+            if path.suffix != ".md":
+                text = "\n".join(re.findall(r"//.*", text))
+            for name in re.findall(r"(?<![\w/<.])(?:[a-z]\w*/)*\w+\.[ch]pp\b", text):
+                if name in ("game.cpp", "lesson.cpp"):  # a reader's own; one in every lesson
+                    continue
+                with self.subTest(f"{path.relative_to(ROOT)}: {name}"):
+                    self.assertTrue((ROOT / name).is_file() or (path.parent / name).is_file())
+
     def test_every_lesson_is_a_folder_of_a_text_and_a_function(self):
         lessons = sorted(path for path in (ROOT / "lessons").rglob("[0-9][0-9]_*") if path.is_dir())
         self.assertTrue(lessons)

@@ -19,7 +19,7 @@ struct Point {
 
 using Ring = std::vector<Point>;  ///< closed: the last point joins the first
 
-/// What a mark stands for. A palette turns a role into ink, line and fill (palette.hpp).
+/// What a mark stands for. A palette turns a role into ink, line and fill (viz/paint/palette.hpp).
 enum class Role {
     body,            ///< outline of a body, faintly filled, in the body's ink
     wall,            ///< a body that no impulse moves
@@ -128,7 +128,7 @@ struct Point3 {
 
 /// Where the reader stands. World frame, metres. The point on the panel under a point of space lies
 /// at metres as long as they look at the target's distance, from the target at the origin, x to the
-/// right, y up (space.hpp).
+/// right, y up (viz/figure/camera.hpp).
 struct Camera {
     Point3 eye{0, 0, 5};
     Point3 target{0, 0, 0};    ///< not the eye

@@ -6,7 +6,8 @@ namespace pugi {
 class xml_node;
 }
 
-// Properties of an element whose `style` is plain CSS (svg_css.hpp): "name:value;" and no more.
+// Properties of an element whose `style` is plain CSS (lod2d/source/css/css.hpp): "name:value;" and
+// no more.
 namespace lod2d {
 
 /// The value of a property in `style`, where the last counts, or as an attribute; "" where neither

@@ -11,7 +11,7 @@ namespace lod2d {
 
 /// Turns masks into clips where that is the same: masks of a basic shape or path that is filled
 /// with a colour other than black (or with any, by alpha). Others and all filters are taken off
-/// their elements, and noted. The style of the document is plain CSS (svg_css.hpp).
+/// their elements, and noted. The style of the document is plain CSS (lod2d/source/css/css.hpp).
 void masks_to_clips(pugi::xml_document& document, SvgNotes& notes);
 
 /// Puts groups around what is clipped by a clip that is clipped itself, one for each; where that

@@ -16,11 +16,11 @@ struct PreparedSvg {
     SvgNotes notes;     ///< what was left out of the text, or is seen in another way
 };
 
-/// Puts a document in words that a library understands: CSS as svg_css.hpp does, conditions
-/// decided (English, no extensions), masks of plain shapes as clips; without texts, images,
-/// scripts, filters and animations, which are counted. Throws lod::Error: input refused, with the
-/// place, for a path, points or transform that is broken and for elements that draw themselves;
-/// limit exceeded beyond the settings.
+/// Puts a document in words that a library understands: CSS as lod2d/source/css/css.hpp does,
+/// conditions decided (English, no extensions), masks of plain shapes as clips; without texts,
+/// images, scripts, filters and animations, which are counted. Throws lod::Error: input refused,
+/// with the place, for a path, points or transform that is broken and for elements that draw
+/// themselves; limit exceeded beyond the settings.
 [[nodiscard]] PreparedSvg prepare_svg(const SvgXml& xml, const SvgSettings& settings);
 
 }  // namespace lod2d

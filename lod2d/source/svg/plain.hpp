@@ -9,10 +9,10 @@
 namespace lod2d {
 
 /// Reads a drawing that takes no more than paths, basic shapes, groups, transforms and colours, to
-/// the last bit and by no library but the XML's. Nothing for any other (svg_resolve.hpp reads it):
-/// one with a style sheet, `use`, nested <svg>, switch, clips, masks, markers, filters, patterns,
-/// CSS that says more than attributes do, animations or conditions.
-/// Throws lod::Error as parse_svg() does.
+/// the last bit and by no library but the XML's. Nothing for any other
+/// (lod2d/source/resolve/resolve.hpp reads it): one with a style sheet, `use`, nested <svg>,
+/// switch, clips, masks, markers, filters, patterns, CSS that says more than attributes do,
+/// animations or conditions. Throws lod::Error as parse_svg() does.
 [[nodiscard]] std::optional<SvgDrawing> read_plain_svg(const SvgXml& xml,
                                                        const SvgSettings& settings);
 

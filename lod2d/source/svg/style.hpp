@@ -31,15 +31,16 @@ struct SvgStyle {
     bool drawn = true;  ///< no display: none and no opacity: 0 on the way here
 };
 
-/// The style of an element within one of the given style, from its attributes and its `style`,
-/// where nothing in them takes more than a table to understand: nothing for whatever does (then
-/// svg_resolve.hpp is asked). `gradient` tells what the gradient of an id leaves, nothing where
-/// there is none that is plain.
+/// What the gradient of a paint leaves.
 struct SvgGradient {
     SvgPaint paint = SvgPaint::whole;
     bool of_box = true;  ///< in units of the box of what it paints
 };
 using GradientPaint = std::function<std::optional<SvgGradient>(std::string_view id)>;
+/// The style of an element within one of the given style, from its attributes and its `style`,
+/// where nothing in them takes more than a table to understand: nothing for whatever does (then
+/// lod2d/source/resolve/resolve.hpp is asked). `gradient` tells what the gradient of an id leaves,
+/// nothing where there is none that is plain.
 [[nodiscard]] std::optional<SvgStyle> plain_style(const pugi::xml_node& element,
                                                   const SvgStyle& parent,
                                                   const GradientPaint& gradient);

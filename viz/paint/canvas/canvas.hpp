@@ -22,7 +22,7 @@ struct Rect {
 enum class Weight { regular, medium, bold };
 enum class Align { left, centre, right };
 
-/// Words in one style. `words` may hold the marks of figure.hpp (italics, subscripts).
+/// Words in one style. `words` may hold the marks of viz/figure/figure.hpp (italics, subscripts).
 struct Text {
     std::string words;
     double size = 16;  ///< height of the letters' em
@@ -58,7 +58,7 @@ struct Image {
 enum class PageFormat { image, svg, pdf };
 
 /// The drawing library behind a few primitives, in page units with y down. Every coordinate must
-/// be finite and near the page (clip.hpp). The same calls give the same bytes.
+/// be finite and near the page (viz/paint/clip.hpp). The same calls give the same bytes.
 class Canvas {
   public:
     /// One page unit is `scale` pixels (image), or the same page in points (svg, pdf).
