@@ -1,13 +1,12 @@
 #include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/scenes/places.hpp"
+#include "lodlab/lod2d/source/load.hpp"
 #include "lodlab/scenes/shapes.hpp"
 
 namespace scenes {
 
 void check_drawing_choice(const std::string& spec, const ShapeChoice& choice) {
-    const std::string ending = lod::ending_of(spec);
-    if (ending == "svg" || ending == "svgz") return;
+    if (lod2d::is_drawing_format(lod::ending_of(spec))) return;
     if (choice.strokes || choice.page || choice.strict)
         throw lod::Error(lod::ErrorKind::usage,
                          "only drawings have strokes and a page, and may be taken strictly; " +

@@ -11,6 +11,7 @@
 #include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/output_file.hpp"
+#include "lodlab/lod2d/source/load.hpp"
 #include "lodlab/lod2d/source/svg/source.hpp"
 #include "lodlab/lod3d/source/binary_number.hpp"
 #include "lodlab/scenes/places.hpp"
@@ -145,7 +146,7 @@ Names names_in_xml(std::string_view text) {
 
 Names names_in(const std::string& text, std::string_view ending) {
     if (ending == "gltf" || ending == "glb") return names_in_gltf(text);
-    if (ending == "svg" || ending == "svgz") return names_in_xml(text);
+    if (lod2d::is_drawing_format(ending)) return names_in_xml(text);
     if (ending == "obj") return names_in_lines(text, "mtllib");
     if (ending == "ply")
         return names_in_lines(text.substr(0, text.find("end_header")), "comment texturefile");
@@ -155,8 +156,8 @@ Names names_in(const std::string& text, std::string_view ending) {
 
 std::string text_of(const fs::path& file, std::string_view ending) {
     std::string text = lod::read_text_file(file, ending == "mtl" ? most_of_library : most_bytes);
-    const bool is_drawing = ending == "svg" || ending == "svgz";
-    return is_drawing ? lod2d::svg_source(file.string(), text, most_bytes) : text;
+    return lod2d::is_drawing_format(ending) ? lod2d::svg_source(file.string(), text, most_bytes)
+                                            : text;
 }
 
 bool is_named_in(const fs::path& input, const fs::path& file, bool is_library) {
@@ -193,7 +194,7 @@ bool names_file(const fs::path& input, const fs::path& file) {
     std::error_code ignored;
     const std::string ending = lod::ending_of(input);
     const bool may_name = ending == "gltf" || ending == "glb" || ending == "obj" ||
-                          ending == "ply" || ending == "svg" || ending == "svgz" || ending == "3ds";
+                          ending == "ply" || ending == "3ds" || lod2d::is_drawing_format(ending);
     if (!may_name || !fs::exists(file, ignored)) return false;
     // Readers look beside the name that they are given, which may be a link.
     return is_named_in(fs::absolute(input), file, false) ||

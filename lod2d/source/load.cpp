@@ -1,7 +1,6 @@
 #include "lodlab/lod2d/source/load.hpp"
 
-#include <algorithm>
-
+#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/lod2d/source/font.hpp"
@@ -12,15 +11,8 @@ namespace {
 
 constexpr std::string_view text_prefix = "text:";
 
-bool ends_in(std::string_view spec, std::string_view ending) {
-    if (spec.size() < ending.size()) return false;
-    return std::ranges::equal(
-        spec.substr(spec.size() - ending.size()), ending,
-        [](char c, char wanted) { return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == wanted; });
-}
-
 bool is_svg_file(std::string_view spec) {
-    return ends_in(spec, ".svg") || ends_in(spec, ".svgz");
+    return is_drawing_format(lod::ending_of(spec));
 }
 
 std::string understood() {
@@ -56,6 +48,10 @@ Shape load_shape(std::string_view spec, const LoadSettings& settings) {
     if (names_generator(spec)) return generate(spec);
     throw lod::Error(lod::ErrorKind::usage,
                      "'" + std::string(spec) + "' names no shape; " + understood());
+}
+
+bool is_drawing_format(std::string_view ending) {
+    return ending == "svg" || ending == "svgz";
 }
 
 }  // namespace lod2d

@@ -25,4 +25,7 @@ struct LoadSettings {
 /// Whether load_shape() would take the spec for a shape of the plane (it may still refuse it).
 [[nodiscard]] bool names_shape(std::string_view spec);
 
+/// Whether files with this ending, in small letters, are drawings: svg, svgz.
+[[nodiscard]] bool is_drawing_format(std::string_view ending);
+
 }  // namespace lod2d
