@@ -89,10 +89,11 @@ double linear_error(const Outcome& outcome, const lod2d::Box2dImpact& reference)
 
 int main(int argc, char** argv) {
     lod2d::TreeSettings settings;
-    if (argc > 1) settings.builder = lod2d::builder_named(argv[1]);
+    if (argc > 1)
+        settings.builder = lod::chosen<lod2d::Builder>(argv[1], "builder of circle trees");
     settings.depth = argc > 2 ? std::atoi(argv[2]) : 4;
     std::printf("builder %s, contact normals of the nodes; error of the velocities\n",
-                std::string(lod2d::builder_name(settings.builder)).c_str());
+                std::string(lod::name_of(settings.builder)).c_str());
     std::vector<Pair> pairs;
     for (const auto& [a, b] : {std::pair{"gear:9", "star:5"},
                                {"L", "star:7"},

@@ -17,8 +17,8 @@ int main(int argc, char** argv) {
         "depth %d; milliseconds of the processor (median of 3), nodes, worst protrusion in "
         "%% of the diameter\n%-10s %6s",
         depth, "shape", "edges");
-    for (const lod2d::Builder builder : lod2d::builders())
-        std::printf("  %27s", std::string(lod2d::builder_name(builder)).c_str());
+    for (const lod2d::Builder builder : lod::choices<lod2d::Builder>())
+        std::printf("  %27s", std::string(lod::name_of(builder)).c_str());
     std::puts("");
     for (const char* spec :
          {"box", "L", "star:5", "gear:9", "ring", "disc:200", "blob:1", "spiral"}) {
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
         std::size_t edges = 0;
         for (const auto& ring : shape.polygon.rings) edges += ring.size();
         std::printf("%-10s %6zu", spec, edges);
-        for (const lod2d::Builder builder : lod2d::builders()) {
+        for (const lod2d::Builder builder : lod::choices<lod2d::Builder>()) {
             lod2d::TreeSettings settings;
             settings.builder = builder;
             settings.depth = depth;

@@ -8,7 +8,7 @@
 #include <filesystem>
 
 #include "bench/timing.hpp"
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/lod3d/source/load_mesh.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
@@ -20,7 +20,7 @@ namespace {
 constexpr const char* bunny = "/usr/share/glmark2/models/bunny.obj";  // of glmark2-data
 
 lod3d::Solid solid_named(const std::string& name) {
-    if (!std::filesystem::exists(name)) return lod3d::solid_from_spec(name);
+    if (!std::filesystem::exists(name)) return lod3d::generate(name);
     return lod3d::make_solid(std::filesystem::path(name).stem(), lod3d::load_mesh(name),
                              {.fill = true});
 }
@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
     const lod3d::Solid solid = solid_named(name);
     viz::Actor<3> actor{viz::look_of(solid), {}};
     actor.body.tree = std::make_shared<const lod::SphereTree<3>>(
-        lod3d::build_sphere_tree(solid, {.builder = lod3d::SolidBuilder::octree}));
+        lod3d::build_tree(solid, {.builder = lod3d::Builder::octree}));
     std::printf("%s: %zu triangles, %d spheres\n", solid.name.c_str(), solid.mesh.triangles.size(),
                 actor.body.tree->size());
 

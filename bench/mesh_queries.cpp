@@ -10,6 +10,7 @@
 #include "bench/timing.hpp"
 #include "lodlab/core/base/random.hpp"
 #include "lodlab/core/tree/traversal.hpp"
+#include "lodlab/lod3d/builder/tree_report.hpp"
 #include "lodlab/lod3d/mesh/intersect.hpp"
 #include "tests/lod3d/fcl_oracle.hpp"
 #include "tests/lod3d/random_pose.hpp"
@@ -123,8 +124,8 @@ Errors errors_of(LevelQuery& query, int level, const std::vector<Meeting>& meeti
 }  // namespace
 
 void query_pairs(const lod3d::Solid& solid, int pairs) {
-    const auto tree = std::make_shared<lod::SphereTree<3>>(lod3d::build_sphere_tree(solid));
-    const lod::TreeReport report = lod3d::report_sphere_tree(solid, *tree);
+    const auto tree = std::make_shared<lod::SphereTree<3>>(lod3d::build_tree(solid));
+    const lod::TreeReport report = lod3d::report_tree(solid, *tree);
     const auto meetings = random_meetings(tree, report.bounding_diameter, pairs);
     const auto model = lodtest::fcl_model(solid.mesh);
     const auto truth = find_truth(meetings, model);

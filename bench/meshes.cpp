@@ -15,6 +15,7 @@
 
 #include "bench/timing.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/lod3d/builder/tree_report.hpp"
 #include "lodlab/lod3d/source/load_mesh.hpp"
 
 namespace {
@@ -94,15 +95,14 @@ lod3d::Solid model(const std::string& name) {
     }
 }
 
-void grow(const lod3d::Solid& solid, lod3d::SolidBuilder builder) {
-    lod3d::SphereTreeSettings settings;
+void grow(const lod3d::Solid& solid, lod3d::Builder builder) {
+    lod3d::TreeSettings settings;
     settings.builder = builder;
     lod::SphereTree<3> tree;
-    const double seconds =
-        bench::seconds([&] { tree = lod3d::build_sphere_tree(solid, settings); });
+    const double seconds = bench::seconds([&] { tree = lod3d::build_tree(solid, settings); });
     std::printf("%s, %zu triangles, %s: %.1f s of one core\n", solid.name.c_str(),
-                solid.mesh.triangles.size(), std::string(lod3d::name_of(builder)).c_str(), seconds);
-    for (const lod::LevelReport& level : lod3d::report_sphere_tree(solid, tree).levels)
+                solid.mesh.triangles.size(), std::string(lod::name_of(builder)).c_str(), seconds);
+    for (const lod::LevelReport& level : lod3d::report_tree(solid, tree).levels)
         std::printf(
             "  level %d  %4d nodes  worst %7.3f %%  mean %7.3f %%  volume ratio %7.3f  %s\n",
             level.level, level.nodes, 100 * level.worst_protrusion_fraction,
@@ -114,7 +114,7 @@ void grow(const lod3d::Solid& solid, lod3d::SolidBuilder builder) {
 void grow_all() {
     for (const char* name : {"bunny.obj", "asteroid-high.3ds", "horse.3ds", "cat.3ds"}) {
         const lod3d::Solid solid = model(name);
-        for (const lod3d::SolidBuilder builder : lod3d::solid_builders()) grow(solid, builder);
+        for (const lod3d::Builder builder : lod::choices<lod3d::Builder>()) grow(solid, builder);
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 
 namespace bench {
 

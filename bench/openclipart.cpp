@@ -110,7 +110,7 @@ int run(const std::filesystem::path& folder, int depth, std::size_t most_files) 
             std::size_t edges = 0;
             for (const auto& ring : shape.polygon.rings) edges += ring.size();
             most_edges = std::max(most_edges, edges);
-            for (const lod2d::Builder builder : lod2d::builders())
+            for (const lod2d::Builder builder : lod::choices<lod2d::Builder>())
                 measure(shape, builder, depth, tallies[builder]);
         } catch (const lod::Error& e) {
             refused.emplace_back(e.what());
@@ -121,7 +121,7 @@ int run(const std::filesystem::path& folder, int depth, std::size_t most_files) 
     for (const std::string& line : refused) std::printf("  %s\n", line.c_str());
     bool good = true;
     for (const auto& [builder, tally] : tallies) {
-        tally.print(lod2d::builder_name(builder));
+        tally.print(lod::name_of(builder));
         good = good && tally.failures.empty();
     }
     return good ? 0 : 1;

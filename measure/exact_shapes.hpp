@@ -14,7 +14,7 @@ namespace measure {
 }
 [[nodiscard]] inline std::shared_ptr<const lod::ExactShape<3>> exact_shape(
     const lod3d::Solid& solid) {
-    return std::make_shared<const lod3d::Surface>(solid);
+    return std::make_shared<const lod3d::ExactSurface>(solid);
 }
 
 }  // namespace measure

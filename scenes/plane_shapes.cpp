@@ -76,7 +76,8 @@ PlaneShapes::Shape PlaneShapes::half_space() {
 
 PlaneShapes::Settings PlaneShapes::settings(const TreeChoice& choice) {
     Settings settings;
-    if (!choice.builder.empty()) settings.builder = lod2d::builder_named(choice.builder);
+    if (!choice.builder.empty())
+        settings.builder = lod::chosen<lod2d::Builder>(choice.builder, "builder of circle trees");
     if (choice.branching) settings.branching = *choice.branching;
     if (choice.depth) settings.depth = *choice.depth;
     if (choice.error) settings.least_protrusion = *choice.error;
@@ -105,7 +106,7 @@ void PlaneShapes::identify(const Shape& shape, const Settings& settings, io::Sha
     const auto& [builder, branching, depth, least_protrusion, most_nodes, normal_weight, progress] =
         settings;
     static_cast<void>(progress);
-    key.add(lod2d::builder_name(builder));
+    key.add(lod::name_of(builder));
     key.add(branching);
     key.add(depth);
     key.add(least_protrusion);
@@ -137,14 +138,14 @@ bool PlaneShapes::touch(const Border& a, const lod::Body<2>& body_a, const Borde
 std::vector<GeneratorNote> PlaneShapes::generators() {
     std::vector<GeneratorNote> notes;
     for (const lod2d::Generator& one : lod2d::generators())
-        notes.push_back({std::string(one.name), lod2d::usage(one), std::string(one.description)});
+        notes.push_back({std::string(one.name), one.usage(), std::string(one.description)});
     return notes;
 }
 
 std::vector<std::string_view> PlaneShapes::builders() {
-    std::vector<std::string_view> names{lod2d::builder_name(Settings{}.builder)};
-    for (const lod2d::Builder builder : lod2d::builders())
-        if (builder != Settings{}.builder) names.push_back(lod2d::builder_name(builder));
+    std::vector<std::string_view> names{lod::name_of(Settings{}.builder)};
+    for (const lod2d::Builder builder : lod::choices<lod2d::Builder>())
+        if (builder != Settings{}.builder) names.push_back(lod::name_of(builder));
     return names;
 }
 

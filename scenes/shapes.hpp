@@ -14,7 +14,7 @@
 #include "lodlab/io/tree_cache.hpp"
 #include "lodlab/lod2d/builder/build_tree.hpp"
 #include "lodlab/lod2d/shape/distance.hpp"
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 #include "lodlab/lod3d/mesh/distance.hpp"
 
 namespace scenes {
@@ -113,7 +113,7 @@ struct PlaneShapes {
 /// Shapes of space and their trees.
 struct SpaceShapes {
     using Shape = lod3d::Solid;
-    using Settings = lod3d::SphereTreeSettings;
+    using Settings = lod3d::TreeSettings;
     struct Border {
         lod3d::MeshDistance distance;
         std::vector<lod3d::Point> of_parts;  ///< a point of each connected part, body frame
@@ -123,7 +123,7 @@ struct SpaceShapes {
                                  "obj, ply, stl, off, 3ds, gltf, glb"};
 
     /// A mesh file or a generator. Throws lod::Error as lod3d::load_mesh, lod3d::make_solid and
-    /// lod3d::solid_from_spec do, and for a drawing or a text.
+    /// lod3d::generate do, and for a drawing or a text.
     [[nodiscard]] static Shape named(const std::string& spec, const ShapeChoice& choice);
     [[nodiscard]] static Shape half_space();
     [[nodiscard]] static Settings settings(const TreeChoice& choice);

@@ -3,6 +3,7 @@
 #include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/source/load.hpp"
+#include "lodlab/lod3d/builder/tree_report.hpp"
 #include "lodlab/lod3d/mesh/intersect.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/lod3d/solid/surface.hpp"
@@ -24,13 +25,10 @@ lod3d::ImportLimits limits_raised(double factor) {
     return limits;
 }
 
-bool is_generator(const std::string& spec) {
-    return lod::find_generator(lod3d::solid_generators(), spec) != nullptr;
-}
-
 /// The shape's triangles in the frame of their source.
 lod3d::FileMesh mesh_of(const std::string& spec, double raise_limits) {
-    if (is_generator(spec)) return {lod::make_from_spec(lod3d::solid_generators(), spec), 0, {}};
+    if (lod3d::names_generator(spec))
+        return {lod::make_from_spec(lod3d::generators(), spec), 0, {}};
     if (looks_like_file(spec) && lod::ending_of(spec) != "svg")
         return lod3d::read_mesh(in_package(spec) ? package_file(spec).string() : spec,
                                 limits_raised(raise_limits), spec);
@@ -39,7 +37,7 @@ lod3d::FileMesh mesh_of(const std::string& spec, double raise_limits) {
                          spec + " is a shape of the plane, and this is space; name a mesh (" +
                              std::string(SpaceShapes::words.files) +
                              ") or a generator of space, which lodlab tree --list shows");
-    return {lod::make_from_spec(lod3d::solid_generators(), spec), 0, {}};  // throws: no such
+    return {lod::make_from_spec(lod3d::generators(), spec), 0, {}};  // throws: no such
 }
 
 lod3d::Pose pose_of(const lod::Body<3>& body) {
@@ -62,7 +60,7 @@ SpaceShapes::Shape SpaceShapes::named(const std::string& spec, const ShapeChoice
     check_drawing_choice(spec, choice);
     lod3d::FileMesh file = mesh_of(spec, choice.raise_limits);
     const std::string name =
-        is_generator(spec) ? spec : std::filesystem::path(spec).stem().string();
+        lod3d::names_generator(spec) ? spec : std::filesystem::path(spec).stem().string();
     lod3d::SolidOptions options;
     options.source = spec;
     options.longest_side = choice.size;
@@ -73,7 +71,7 @@ SpaceShapes::Shape SpaceShapes::named(const std::string& spec, const ShapeChoice
 }
 
 SpaceShapes::Shape SpaceShapes::half_space() {
-    Shape shape = lod3d::solid_from_spec("box:1,1,1");
+    Shape shape = lod3d::generate("box:1,1,1");
     shape.name = half_space_name;
     // The box's upper side through the origin; what makes up a mass has no meaning, it never moves.
     for (lod3d::Point& p : shape.mesh.vertices)
@@ -83,18 +81,19 @@ SpaceShapes::Shape SpaceShapes::half_space() {
 
 SpaceShapes::Settings SpaceShapes::settings(const TreeChoice& choice) {
     Settings settings;
-    if (!choice.builder.empty()) settings.builder = lod3d::solid_builder_named(choice.builder);
+    if (!choice.builder.empty())
+        settings.builder = lod::chosen<lod3d::Builder>(choice.builder, "builder of sphere trees");
     if (choice.branching) settings.branching = *choice.branching;
     if (choice.depth) settings.depth = *choice.depth;
     if (choice.error) settings.least_protrusion = *choice.error;
     if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
-    check_effort(choice, settings.builder == lod3d::SolidBuilder::cover);
+    check_effort(choice, settings.builder == lod3d::Builder::cover);
     if (choice.effort) settings.effort = *choice.effort;
     return settings;
 }
 
 lod::SphereTree<3> SpaceShapes::build(const Shape& shape, const Settings& settings) {
-    return lod3d::build_sphere_tree(shape, settings);
+    return lod3d::build_tree(shape, settings);
 }
 
 void SpaceShapes::identify(const Shape& shape, const Settings& settings, io::Sha256& key) {
@@ -109,7 +108,7 @@ void SpaceShapes::identify(const Shape& shape, const Settings& settings, io::Sha
     const auto& [builder, branching, depth, least_protrusion, effort, most_nodes, progress] =
         settings;
     static_cast<void>(progress);
-    key.add(lod3d::name_of(builder));
+    key.add(lod::name_of(builder));
     key.add(branching);
     key.add(depth);
     key.add(least_protrusion);
@@ -118,7 +117,7 @@ void SpaceShapes::identify(const Shape& shape, const Settings& settings, io::Sha
 }
 
 lod::TreeReport SpaceShapes::report(const Shape& shape, const lod::SphereTree<3>& tree) {
-    return lod3d::report_sphere_tree(shape, tree);
+    return lod3d::report_tree(shape, tree);
 }
 
 lod::Inertia<3> SpaceShapes::second_moment(const Shape& shape) {
@@ -134,7 +133,7 @@ std::vector<std::string> SpaceShapes::remarks(const Shape& shape) {
 }
 
 std::shared_ptr<const lod::ExactShape<3>> SpaceShapes::exact_of(const Shape& shape) {
-    return std::make_shared<lod3d::Surface>(shape);
+    return std::make_shared<lod3d::ExactSurface>(shape);
 }
 
 SpaceShapes::Border SpaceShapes::border_of(const Shape& shape) {
@@ -158,22 +157,21 @@ bool SpaceShapes::touch(const Border& a, const lod::Body<3>& body_a, const Borde
 
 std::vector<GeneratorNote> SpaceShapes::generators() {
     std::vector<GeneratorNote> notes;
-    for (const auto& one : lod3d::solid_generators())
-        notes.push_back({std::string(one.name), lod::generator_usage(one.name, one.parameters),
-                         std::string(one.description)});
+    for (const lod3d::Generator& one : lod3d::generators())
+        notes.push_back({std::string(one.name), one.usage(), std::string(one.description)});
     return notes;
 }
 
 std::vector<std::string_view> SpaceShapes::builders() {
-    std::vector<std::string_view> names{lod3d::name_of(Settings{}.builder)};
-    for (const lod3d::SolidBuilder builder : lod3d::solid_builders())
-        if (builder != Settings{}.builder) names.push_back(lod3d::name_of(builder));
+    std::vector<std::string_view> names{lod::name_of(Settings{}.builder)};
+    for (const lod3d::Builder builder : lod::choices<lod3d::Builder>())
+        if (builder != Settings{}.builder) names.push_back(lod::name_of(builder));
     return names;
 }
 
 int dimension_of(const std::string& spec) {
     if (looks_like_file(spec)) return lod3d::is_mesh_format(lod::ending_of(spec)) ? 3 : 2;
-    return is_generator(spec) && !lod2d::names_shape(spec) ? 3 : 2;
+    return lod3d::names_generator(spec) && !lod2d::names_shape(spec) ? 3 : 2;
 }
 
 }  // namespace scenes

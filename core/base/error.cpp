@@ -27,6 +27,17 @@ void refuse_input(const std::string& name, const std::string& why) {
     throw Error(ErrorKind::input_refused, name + ": " + why);
 }
 
+void refuse_choice(std::string_view what, std::string_view name,
+                   std::span<const std::string_view> names) {
+    std::string line = "no ";
+    line.append(what).append(" is called \"").append(name).append("\"; choose ");
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (i > 0) line += i + 1 < names.size() ? ", " : " or ";
+        line += names[i];
+    }
+    throw Error(ErrorKind::usage, line);
+}
+
 void check_interrupted() {
     if (const int signal = stop_signal.load(std::memory_order_relaxed)) throw Interrupted(signal);
 }

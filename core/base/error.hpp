@@ -1,8 +1,10 @@
 #pragma once
 
 #include <atomic>
+#include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace lod {
 
@@ -28,6 +30,10 @@ class Error : public std::runtime_error {
 
 /// Throws Error, input refused: "name: why".
 [[noreturn]] void refuse_input(const std::string& name, const std::string& why);
+
+/// Throws Error, usage: no WHAT is called NAME; choose one of these.
+[[noreturn]] void refuse_choice(std::string_view what, std::string_view name,
+                                std::span<const std::string_view> names);
 
 /// Thrown by check_interrupted() when a signal asked the program to stop.
 class Interrupted : public std::runtime_error {

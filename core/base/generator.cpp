@@ -66,12 +66,4 @@ std::vector<double> read_generator_values(std::string_view spec,
     }
 }
 
-void refuse_generator(std::string_view spec, std::span<const std::string_view> names) {
-    std::string list;
-    for (std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-    throw Error(ErrorKind::usage, "no generator is called '" +
-                                      std::string(spec.substr(0, spec.find(':'))) +
-                                      "'; choose one of: " + list);
-}
-
 }  // namespace lod

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lodlab/core/base/error.hpp"
+
 namespace lod {
 
 /// One number that a generator takes, in the order of the spec.
@@ -17,6 +19,10 @@ struct GeneratorParameter {
     bool whole = false;  ///< must be a whole number
 };
 
+/// How a generator is written: "gear:TEETH,DEPTH,BORE".
+[[nodiscard]] std::string generator_usage(std::string_view name,
+                                          std::span<const GeneratorParameter> parameters);
+
 /// Something made from a name and a few numbers, written "gear:9" or "box:2,1".
 template <typename Product>
 struct Generator {
@@ -24,19 +30,15 @@ struct Generator {
     std::string_view description;  ///< one line
     std::vector<GeneratorParameter> parameters;
     Product (*make)(std::span<const double> values);
-};
 
-/// How a generator is written: "gear:TEETH,DEPTH,BORE".
-[[nodiscard]] std::string generator_usage(std::string_view name,
-                                          std::span<const GeneratorParameter> parameters);
+    /// How it is written: "gear:TEETH,DEPTH,BORE".
+    [[nodiscard]] std::string usage() const { return generator_usage(name, parameters); }
+};
 
 /// The numbers of a spec, standard values where it leaves them out. Throws Error: usage where the
 /// spec is not understood (naming what is), input refused where a number is out of its range.
 [[nodiscard]] std::vector<double> read_generator_values(
     std::string_view spec, std::span<const GeneratorParameter> parameters);
-
-/// Throws Error (usage) that lists the names there are.
-[[noreturn]] void refuse_generator(std::string_view spec, std::span<const std::string_view> names);
 
 /// The generator that the spec begins with, or null.
 template <typename Product>
@@ -47,7 +49,7 @@ template <typename Product>
     return nullptr;
 }
 
-/// Makes what the spec names. Throws as read_generator_values and refuse_generator do.
+/// Makes what the spec names. Throws as read_generator_values and refuse_choice do.
 template <typename Product>
 [[nodiscard]] Product make_from_spec(std::span<const Generator<Product>> generators,
                                      std::string_view spec) {
@@ -55,7 +57,7 @@ template <typename Product>
         return generator->make(read_generator_values(spec, generator->parameters));
     std::vector<std::string_view> names;
     for (const Generator<Product>& generator : generators) names.push_back(generator.name);
-    refuse_generator(spec, names);
+    refuse_choice("generator", spec.substr(0, spec.find(':')), names);
 }
 
 }  // namespace lod

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "lodlab/core/base/error.hpp"
+
 namespace lod {
 
 /// What scenes, options and messages call a choice. Every such enum has its names beside it, in a
@@ -21,6 +23,22 @@ template <class Choice>
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == name) return static_cast<Choice>(i);
     return std::nullopt;
+}
+
+/// Every choice, in the order of the enum.
+template <class Choice>
+[[nodiscard]] constexpr auto choices() {
+    std::array<Choice, names_of(Choice{}).size()> all{};
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Choice>(i);
+    return all;
+}
+
+/// The choice of that name. Throws Error (usage) where there is none, naming all that there are;
+/// `what` is what a choice is called: "builder of circle trees".
+template <class Choice>
+[[nodiscard]] Choice chosen(std::string_view name, std::string_view what) {
+    if (const std::optional<Choice> choice = named<Choice>(name)) return *choice;
+    refuse_choice(what, name, names_of(Choice{}));
 }
 
 }  // namespace lod

@@ -48,6 +48,20 @@ void check_grow_settings(const GrowSettings& settings);
 /// limit.
 [[nodiscard]] int depth_within(int branching, int depth, std::int64_t most_nodes);
 
+/// What the settings of every builder say about growing: branching, depth, least_protrusion,
+/// most_nodes and progress. Throws Error (limit exceeded) where one of them is out of range.
+template <class TreeSettings>
+[[nodiscard]] GrowSettings grow_settings_of(const TreeSettings& settings) {
+    GrowSettings grow;
+    grow.branching = settings.branching;
+    grow.depth = settings.depth;
+    grow.least_protrusion = settings.least_protrusion;
+    grow.progress = settings.progress;
+    check_grow_settings(grow);
+    grow.depth = depth_within(settings.branching, settings.depth, settings.most_nodes);
+    return grow;
+}
+
 /// What a kind of shape knows about dividing its pieces well.
 template <class Strategy, int Dim, class Piece>
 concept GrowStrategy = requires(const Strategy strategy, const Piece piece,

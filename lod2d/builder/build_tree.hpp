@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string_view>
 
+#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/tree/tree.hpp"
 #include "lodlab/lod2d/shape/shape.hpp"
 
@@ -17,6 +19,11 @@ enum class Builder {
     pieces,    ///< power diagram and fit, from geometric starts
     medial,    ///< the same from circles on the medial axis too; the default, since it fits best
 };
+
+[[nodiscard]] constexpr std::array<std::string_view, 3> names_of(Builder) {
+    return {"quadtree", "pieces", "medial"};
+}
+static_assert(names_of(Builder{}).size() == static_cast<std::size_t>(Builder::medial) + 1);
 
 struct TreeSettings {
     Builder builder = Builder::medial;
@@ -44,10 +51,5 @@ struct TreeSettings {
 /// Throws lod::Error: limit exceeded where a setting is out of range, input refused where rounding
 /// leaves a tree without its certificate (never seen).
 [[nodiscard]] lod::SphereTree<2> build_tree(const Shape& shape, const TreeSettings& settings = {});
-
-[[nodiscard]] std::span<const Builder> builders();
-[[nodiscard]] std::string_view builder_name(Builder builder);
-/// Throws lod::Error (usage) where there is no such builder, naming those that there are.
-[[nodiscard]] Builder builder_named(std::string_view name);
 
 }  // namespace lod2d

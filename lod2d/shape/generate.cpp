@@ -2,10 +2,6 @@
 
 namespace lod2d {
 
-std::string usage(const Generator& generator) {
-    return lod::generator_usage(generator.name, generator.parameters);
-}
-
 bool names_generator(std::string_view spec) {
     return lod::find_generator(generators(), spec) != nullptr;
 }

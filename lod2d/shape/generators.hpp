@@ -15,9 +15,6 @@ using Generator = lod::Generator<Polygon>;
 /// Every generator, in the order in which a reader should meet them.
 [[nodiscard]] std::span<const Generator> generators();
 
-/// How a generator is written: "gear:TEETH,DEPTH,BORE".
-[[nodiscard]] std::string usage(const Generator& generator);
-
 /// Whether the spec begins with a generator's name.
 [[nodiscard]] bool names_generator(std::string_view spec);
 

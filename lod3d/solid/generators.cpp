@@ -323,7 +323,7 @@ Mesh solid_gear(Values v) {
 
 }  // namespace
 
-std::span<const lod::Generator<Mesh>> solid_generators() {
+std::span<const Generator> generators() {
     static const std::vector<lod::Generator<Mesh>> all = {
         {"box",
          "a box",
@@ -374,8 +374,12 @@ std::span<const lod::Generator<Mesh>> solid_generators() {
     return all;
 }
 
-Solid solid_from_spec(std::string_view spec) {
-    return make_solid(std::string(spec), lod::make_from_spec(solid_generators(), spec));
+bool names_generator(std::string_view spec) {
+    return lod::find_generator(generators(), spec) != nullptr;
+}
+
+Solid generate(std::string_view spec) {
+    return make_solid(std::string(spec), lod::make_from_spec(generators(), spec));
 }
 
 }  // namespace lod3d

@@ -117,7 +117,7 @@ lod::PartPair<3> nearest_triangles(const lod::Facet<3>& a, const lod::Facet<3>& 
     return pair;
 }
 
-Surface::Surface(const Solid& solid) : distance_(solid.mesh, solid.inside_rule) {
+ExactSurface::ExactSurface(const Solid& solid) : distance_(solid.mesh, solid.inside_rule) {
     const Parts parts = find_parts(solid.mesh);
     std::vector<bool> seen(static_cast<std::size_t>(parts.count), false);
     for (std::size_t t = 0; t < solid.mesh.triangles.size(); ++t) {
@@ -132,19 +132,19 @@ Surface::Surface(const Solid& solid) : distance_(solid.mesh, solid.inside_rule) 
     for (const Point& p : solid.mesh.vertices) radius_ = std::max(radius_, p.norm());
 }
 
-lod::BoxNode<3> Surface::box_node(std::int32_t i) const {
+lod::BoxNode<3> ExactSurface::box_node(std::int32_t i) const {
     const TriangleTree::Node& node = distance_.tree().node(i);
     if (node.is_leaf()) return {node.low, node.high, 0, node.first, node.first + node.count};
     return {node.low, node.high, node.first, 0, 0};
 }
 
-lod::Facet<3> Surface::facet(std::int32_t triangle) const {
+lod::Facet<3> ExactSurface::facet(std::int32_t triangle) const {
     const TriangleTree::Corners& t = distance_.tree().corners(triangle);
     return {t.a, t.b, t.c};
 }
 
-void Surface::visit_pairs(const lod::ExactShape<3>& b, const lod::Placement<3>& b_in_a,
-                          lod::PartVisitor<3>& visitor) const {
+void ExactSurface::visit_pairs(const lod::ExactShape<3>& b, const lod::Placement<3>& b_in_a,
+                               lod::PartVisitor<3>& visitor) const {
     lod::walk_pairs<3>(*this, b, b_in_a, "a surface", nearest_triangles, visitor);
 }
 
@@ -212,7 +212,7 @@ void drop_flat_corners(std::vector<Seen>& hull, double tolerance) {
 
 }  // namespace
 
-void Surface::keep_corners(const Point& normal, double tolerance, Contacts& contacts) const {
+void ExactSurface::keep_corners(const Point& normal, double tolerance, Contacts& contacts) const {
     std::vector<Seen> corners = without_repeats(contacts, normal, tolerance);
     if (corners.size() > 2) {
         corners = convex_hull(std::move(corners));

@@ -9,9 +9,9 @@ namespace lod3d {
 
 /// A mesh as a body's exact shape. Where closed parts overlap, hidden triangles count as boundary:
 /// another body never reaches them.
-class Surface final : public lod::ExactShape<3> {
+class ExactSurface final : public lod::ExactShape<3> {
   public:
-    explicit Surface(const Solid& solid);
+    explicit ExactSurface(const Solid& solid);
 
     [[nodiscard]] double radius() const override { return radius_; }
     [[nodiscard]] std::uint64_t hash() const override { return hash_; }

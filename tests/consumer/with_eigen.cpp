@@ -8,7 +8,7 @@
 #include <lodlab/core/math/eigen.hpp>
 #include <lodlab/lod2d/builder/build_tree.hpp>
 #include <lodlab/lod2d/shape/generators.hpp>
-#include <lodlab/lod3d/builder/sphere_tree.hpp>
+#include <lodlab/lod3d/builder/build_tree.hpp>
 #include <lodlab/lod3d/solid/generators.hpp>
 #include <vector>
 
@@ -55,8 +55,8 @@ int main() {
 
     const lod2d::Shape star = lod2d::generate("star:5");
     const auto flat = lod2d::build_tree(star, {.depth = 3});
-    const auto deep = lod3d::build_sphere_tree(
-        lod3d::solid_from_spec("box"), {.builder = lod3d::SolidBuilder::octree, .depth = 2});
+    const auto deep =
+        lod3d::build_tree(lod3d::generate("box"), {.builder = lod3d::Builder::octree, .depth = 2});
     std::printf("Eigen %s, (%g, %g, %g)\n", solved ? "solved all" : "FAILED", there_and_back.x(),
                 there_and_back.y(), there_and_back.z());
     std::printf("plane %016llx\n", end_of<2>(flat, lod::Inertia<2>::Constant(0.3)));

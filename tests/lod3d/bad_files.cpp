@@ -16,7 +16,7 @@ using namespace lodtest;
 namespace {
 
 Mesh box() {
-    return lod::make_from_spec(solid_generators(), "box:1,1,1");
+    return lod::make_from_spec(generators(), "box:1,1,1");
 }
 
 /// "accepted", or the one line of the refusal.

@@ -23,7 +23,7 @@ Point random_point(lod::Random& random, double size) {
 
 TEST_CASE("the signed distance from a box is the box's own", "[distance]") {
     lod::Random random(1);
-    const Solid box = solid_from_spec("box:2,1,0.6");
+    const Solid box = generate("box:2,1,0.6");
     const MeshDistance distance(box.mesh);
     for (int i = 0; i < 5000; ++i) {
         const Point p = random_point(random, 1.5);
@@ -33,7 +33,7 @@ TEST_CASE("the signed distance from a box is the box's own", "[distance]") {
 }
 
 TEST_CASE("points straight off edges and corners of a box are outside", "[distance]") {
-    const Solid box = solid_from_spec("box:2,2,2");
+    const Solid box = generate("box:2,2,2");
     const MeshDistance distance(box.mesh);
     for (double x : {-1.0, -0.25, 0.0, 1.0})
         for (double y : {-1.0, 0.0, 1.0})
@@ -47,7 +47,7 @@ TEST_CASE("points straight off edges and corners of a box are outside", "[distan
 
 TEST_CASE("the nearest point is found as well as by asking every triangle", "[distance]") {
     lod::Random random(2);
-    const Solid knot = solid_from_spec("knot");
+    const Solid knot = generate("knot");
     const MeshDistance distance(knot.mesh);
     // Each triangle alone is a mesh of one, whose nearest point needs no tree.
     std::vector<MeshDistance> alone;
@@ -68,7 +68,7 @@ TEST_CASE("the nearest point is found as well as by asking every triangle", "[di
 TEST_CASE("the side of the nearest normal and the winding number agree", "[distance]") {
     lod::Random random(4);
     for (const char* spec : {"gear:9,0.25,0.4", "knot", "ring", "L", "blob:3"}) {
-        const Solid solid = solid_from_spec(spec);
+        const Solid solid = generate(spec);
         const MeshDistance quick(solid.mesh);
         const MeshDistance thorough(solid.mesh, InsideRule::winding);
         for (int i = 0; i < 700; ++i) {
@@ -85,7 +85,7 @@ TEST_CASE("the torus's distance is found to the height of its facets", "[distanc
     lod::Random random(6);
     const double r = 0.12;
     const double R = 0.5 - r;
-    const MeshDistance distance(solid_from_spec("ring:0.12,320").mesh);
+    const MeshDistance distance(generate("ring:0.12,320").mesh);
     const double sagitta = r * (1 - std::cos(3.1416 / 160)) + 0.5 * (1 - std::cos(3.1416 / 320));
     for (int i = 0; i < 700; ++i) {
         const Point p = random_point(random, 0.7);

@@ -3,7 +3,7 @@
 #include <iomanip>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 #include "lodlab/lod3d/solid/export_spheres.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/lod3d/source/load_mesh.hpp"
@@ -17,7 +17,7 @@ namespace {
 
 /// A cube of side 1, turned, with its centre at (by, by, by).
 Mesh turned_cube(double by) {
-    Mesh cube = lod::make_from_spec(solid_generators(), "box:1,1,1");
+    Mesh cube = lod::make_from_spec(generators(), "box:1,1,1");
     // Rows of a rotation: two thirds and a third, exact but for the rounding of a third.
     const Point x = Point(2, -1, 2) / 3;
     const Point y = Point(2, 2, -1) / 3;
@@ -108,7 +108,7 @@ TEST_CASE("a text that writes few digits far away is said to hold few", "[far]")
     CHECK(remarks(1e4, 17).empty());
     REQUIRE(remarks(1e4, 7).size() == 1);  // 9999.543 and 10000.12
     CHECK_THAT(remarks(1e4, 7)[0], contains("are 0.001 m apart"));
-    const Mesh box = lod::make_from_spec(solid_generators(), "box:1,1,1");
+    const Mesh box = lod::make_from_spec(generators(), "box:1,1,1");
     Mesh meant = box;
     for (Point& p : meant.vertices) p += Point::Constant(250);
     CHECK(read_mesh(folder.write("few.obj", all_digits(meant, "obj", 17))).remarks.empty());
@@ -140,7 +140,7 @@ TEST_CASE("what assimp reads is said to be in 32-bit numbers", "[far]") {
 
 TEST_CASE("a solid far away is the solid at the origin, moved", "[far]") {
     // Steps of 1/1024 are kept exactly up to 2^42.
-    Mesh ball = lod::make_from_spec(solid_generators(), "gear:7");
+    Mesh ball = lod::make_from_spec(generators(), "gear:7");
     for (Point& p : ball.vertices)
         for (int d = 0; d < 3; ++d) p[d] = std::round(1024 * p[d]) / 1024;
     const Point far(4e6, -3e9, 1e5);
@@ -160,10 +160,10 @@ TEST_CASE("exported spheres cover a mesh in the frame of its file, however far",
     const double by = 1e8;
     const Mesh mesh = turned_cube(by);
     const Solid solid = make_solid("far", mesh);
-    SphereTreeSettings settings;
-    settings.builder = SolidBuilder::octree;
+    TreeSettings settings;
+    settings.builder = Builder::octree;
     settings.depth = 2;
-    const lod::SphereTree<3> tree = build_sphere_tree(solid, settings);
+    const lod::SphereTree<3> tree = build_tree(solid, settings);
     const std::string text = spheres_to_sph(tree, solid.centroid);
     std::istringstream in(text);
     int levels = 0;
@@ -182,7 +182,7 @@ TEST_CASE("exported spheres cover a mesh in the frame of its file, however far",
 TEST_CASE("a size asked for does not cost a far part its digits", "[far]") {
     SolidOptions options;
     options.longest_side = 2;
-    Mesh box = lod::make_from_spec(solid_generators(), "box:1,1,1");
+    Mesh box = lod::make_from_spec(generators(), "box:1,1,1");
     for (Point& p : box.vertices) p += Point::Constant(1e6);
     const Solid solid = make_solid("it", box, options);
     CHECK(solid.volume == Approx(8).epsilon(1e-15));

@@ -21,7 +21,7 @@ TEST_CASE("an enclosed ball is closed, manifold and nearly of the ball's volume"
 }
 
 TEST_CASE("a box without its lid is filled to the brim", "[fill]") {
-    Mesh open = lod::make_from_spec(solid_generators(), "box:1,1,1");
+    Mesh open = lod::make_from_spec(generators(), "box:1,1,1");
     open.triangles.resize(open.triangles.size() - 2);  // one face of six
     const double volume = integrate(fill_by_winding(open, 40)).volume;
     // With one face missing the winding number at its middle is about 1/2: the lid bulges inwards
@@ -31,7 +31,7 @@ TEST_CASE("a box without its lid is filled to the brim", "[fill]") {
 }
 
 TEST_CASE("overlapping parts are filled as their union", "[fill]") {
-    Mesh two = lod::make_from_spec(solid_generators(), "box:1,1,1");
+    Mesh two = lod::make_from_spec(generators(), "box:1,1,1");
     const Mesh other = two;
     for (const Point& p : other.vertices) two.vertices.push_back(p + Point(0.5, 0, 0));
     for (const Triangle& t : other.triangles)

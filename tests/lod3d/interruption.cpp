@@ -4,7 +4,7 @@
 // same; one that floats in another's cavity does not.
 #include "tests/interruption.hpp"
 
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/lod3d/fcl_oracle.hpp"
 
@@ -15,7 +15,7 @@ using lod3d::Point;
 namespace {
 
 Mesh made(const char* spec) {
-    return lod::make_from_spec(lod3d::solid_generators(), spec);
+    return lod::make_from_spec(lod3d::generators(), spec);
 }
 
 Mesh joined(Mesh mesh, const Mesh& other, const Point& by, double scale) {
@@ -35,10 +35,10 @@ Mesh hollow(double scale) {
 
 class Solids {
   public:
-    void add(const lod3d::Solid& solid, const lod3d::SphereTreeSettings& settings) {
+    void add(const lod3d::Solid& solid, const lod3d::TreeSettings& settings) {
         Body<3> body;
         set_mass<3>(body, solid.volume, solid.second_moment);
-        body.tree = std::make_shared<SphereTree<3>>(lod3d::build_sphere_tree(solid, settings));
+        body.tree = std::make_shared<SphereTree<3>>(lod3d::build_tree(solid, settings));
         models.push_back({solid.name, body});
         solids_.push_back({solid.mesh, lodtest::fcl_model(solid.mesh), {}});
         const lod3d::Parts parts = lod3d::find_parts(solid.mesh);
@@ -84,21 +84,21 @@ class Solids {
     std::vector<Truth> solids_;
 };
 
-lod3d::SphereTreeSettings octree(int depth) {
-    return {.builder = lod3d::SolidBuilder::octree, .depth = depth};
+lod3d::TreeSettings octree(int depth) {
+    return {.builder = lod3d::Builder::octree, .depth = depth};
 }
 
-lod3d::SphereTreeSettings cover(int depth) {
-    return {.builder = lod3d::SolidBuilder::cover, .branching = 4, .depth = depth, .effort = 0.05};
+lod3d::TreeSettings cover(int depth) {
+    return {.builder = lod3d::Builder::cover, .branching = 4, .depth = depth, .effort = 0.05};
 }
 
 /// Convex and not, with holes, a cavity, two parts; large beside small, so that some contain
 /// others.
-Solids every_kind(const lod3d::SphereTreeSettings& settings) {
+Solids every_kind(const lod3d::TreeSettings& settings) {
     Solids solids;
     for (const char* spec : {"box", "rod", "tetrahedron", "L", "cross", "ring:0.12,24",
                              "gear:5,0.25,0.4", "box:2,1.5,1.8", "box:0.2,0.2,0.2"})
-        solids.add(lod3d::solid_from_spec(spec), settings);
+        solids.add(lod3d::generate(spec), settings);
     solids.add(lod3d::make_solid("hollow box", hollow(0.8)), settings);
     solids.add(lod3d::make_solid("two boxes", joined(made("box:0.3,0.3,0.3"), made("box"),
                                                      Point(0.6, 0.1, 0), 0.4)),
@@ -132,8 +132,8 @@ TEST_CASE("a body wholly inside another collides, and one in its cavity does not
           "[interruption]") {
     Solids solids;
     solids.add(lod3d::make_solid("hollow box", hollow(0.8)), octree(4));
-    solids.add(lod3d::solid_from_spec("box:3,3,3"), octree(2));
-    solids.add(lod3d::solid_from_spec("box:0.1,0.12,0.14"), octree(2));
+    solids.add(lod3d::generate("box:3,3,3"), octree(2));
+    solids.add(lod3d::generate("box:0.1,0.12,0.14"), octree(2));
     lodtest::Random random(9);
     lodtest::Count count;
     FrameStorage<3> storage;

@@ -66,8 +66,8 @@ TEST_CASE("posed meshes intersect exactly where FCL says so", "[intersect]") {
     int meet = 0;
     for (const auto& [first, second] : {std::pair("knot", "gear:9,0.25,0.4"),
                                         std::pair("ring", "ring"), std::pair("blob:2", "L")}) {
-        const Solid a = solid_from_spec(first);
-        const Solid b = solid_from_spec(second);
+        const Solid a = generate(first);
+        const Solid b = generate(second);
         const TriangleTree tree_a(a.mesh);
         const TriangleTree tree_b(b.mesh);
         const auto model_a = lodtest::fcl_model(a.mesh);

@@ -14,7 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Mesh made(std::string_view spec) {
-    return lod::make_from_spec(solid_generators(), spec);
+    return lod::make_from_spec(generators(), spec);
 }
 
 Mesh moved(Mesh mesh, const lod::Matrix<3>& rotation, const Point& by) {

@@ -12,7 +12,7 @@ using namespace lodtest;
 namespace {
 
 const Mesh& box() {
-    static const Mesh made = lod::make_from_spec(solid_generators(), "box:2,3,4");
+    static const Mesh made = lod::make_from_spec(generators(), "box:2,3,4");
     return made;
 }
 

@@ -55,7 +55,7 @@ TEST_CASE("the cells of a power diagram share out a box", "[cell]") {
 TEST_CASE("pieces of a power diagram share out the surface", "[piece]") {
     lod::Random random(32);
     for (const char* spec : {"knot", "box:1,1,1", "gear:9,0.25,0.4", "blob:2"}) {
-        const Solid solid = solid_from_spec(spec);
+        const Solid solid = generate(spec);
         const MeshDistance inside(solid.mesh);
         const MeshPiece whole(solid, inside);
         CHECK(whole.surface_normal().norm() < 1e-12);
@@ -75,7 +75,7 @@ TEST_CASE("pieces of a power diagram share out the surface", "[piece]") {
 }
 
 TEST_CASE("a piece inside a solid has the corners of its cell", "[piece]") {
-    const Solid box = solid_from_spec("box:1,1,1");
+    const Solid box = generate("box:1,1,1");
     const MeshDistance inside(box.mesh);
     const MeshPiece whole(box, inside);
     std::vector<lod::HalfSpace<3>> cube;
@@ -93,7 +93,7 @@ TEST_CASE("a piece inside a solid has the corners of its cell", "[piece]") {
 TEST_CASE("points of the solid in a cell lie within the hull of its piece's vertices", "[piece]") {
     // Checked through balls: every ball that holds the vertices holds the points.
     lod::Random random(33);
-    const Solid ring = solid_from_spec("ring");
+    const Solid ring = generate("ring");
     const MeshDistance inside(ring.mesh);
     const MeshPiece whole(ring, inside);
     const auto balls = random_balls(random, 6);
@@ -114,7 +114,7 @@ TEST_CASE("points of the solid in a cell lie within the hull of its piece's vert
 }
 
 TEST_CASE("what a ball holds of a piece, it holds, and the rest is bounded", "[piece]") {
-    const Solid box = solid_from_spec("box:1,1,1");
+    const Solid box = generate("box:1,1,1");
     const MeshDistance inside(box.mesh);
     const MeshPiece whole(box, inside);
     const auto [all, none] = whole.held_by({Point::Zero(), 1});

@@ -11,7 +11,7 @@ using namespace lod3d;
 namespace {
 
 Mesh made(std::string_view spec) {
-    return lod::make_from_spec(solid_generators(), spec);
+    return lod::make_from_spec(generators(), spec);
 }
 
 void append(Mesh& mesh, const Mesh& other, const Point& by, double scale = 1) {

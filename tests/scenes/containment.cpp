@@ -3,7 +3,7 @@
 #include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/builder/build_tree.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/run.hpp"
@@ -32,13 +32,13 @@ Body<2> body_of(const char* spec, double size = 1) {
 }
 
 Body<3> solid_of(const char* spec) {
-    const lod3d::Solid solid = lod3d::solid_from_spec(spec);
+    const lod3d::Solid solid = lod3d::generate(spec);
     Body<3> body;
     lod::set_mass<3>(body, solid.volume, solid.second_moment);
-    lod3d::SphereTreeSettings settings;
-    settings.builder = lod3d::SolidBuilder::octree;
+    lod3d::TreeSettings settings;
+    settings.builder = lod3d::Builder::octree;
     settings.depth = 2;
-    body.tree = std::make_shared<lod::SphereTree<3>>(lod3d::build_sphere_tree(solid, settings));
+    body.tree = std::make_shared<lod::SphereTree<3>>(lod3d::build_tree(solid, settings));
     return body;
 }
 

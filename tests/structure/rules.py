@@ -103,6 +103,8 @@ NEUTRAL = {
     "outline": "border", "surface": "border",
 }  # fmt: skip
 TOKENS = re.compile(r"[A-Za-z_]\w*|\d[\w.]*|[^\s\w]")
+# What both offer under one name, for their own types; the bodies must not be alike all the same.
+OFFERED_BY_BOTH = {"build_tree", "report_tree", "generate", "generators", "names_generator", "names_of"}
 FEWEST_TOKENS = 30  # shorter bodies are alike by chance
 MOST_ALIKE = 0.75  # of the tokens of two bodies
 
@@ -296,11 +298,12 @@ def types_of(parameters):
 
 def share_a_shape(flat, deep):
     """Whether a function of the plane and one of space by the same name are one function written
-    twice: free functions that take the same parameters once plane and space are called alike, or any
-    two whose bodies, neutral too, are the same in three tokens of four. Members may share parameters
+    twice: free functions that take the same parameters once plane and space are called alike, unless
+    both offer them to callers, or any two whose bodies, neutral too, are the same in three tokens of four. Members may share parameters
     alone: that is how the two offer core, or a container's vocabulary, under one name.
     """
-    if not flat.is_member and not deep.is_member and types_of(flat.parameters) == types_of(deep.parameters):
+    offers = flat.is_member or deep.is_member or flat.name in OFFERED_BY_BOTH
+    if not offers and types_of(flat.parameters) == types_of(deep.parameters):
         return True
     bodies = [neutral(function.body) for function in (flat, deep)]
     if min(map(len, bodies)) < FEWEST_TOKENS:

@@ -206,8 +206,7 @@ TEST_CASE("a scene is drawn to the same bits twice, in both themes", "[space]") 
 TEST_CASE("a picture of a scene may be cut anywhere: its parts agree", "[space]") {
     SpaceScene scene;
     scene.camera = straight(5, true);
-    const auto mesh =
-        std::make_shared<const Surface>(surface_of(lod3d::solid_from_spec("ring").mesh));
+    const auto mesh = std::make_shared<const Surface>(surface_of(lod3d::generate("ring").mesh));
     scene.facets = {{{.role = Role::body}, mesh, {0, 0, 0}, {}}};
     scene.facets[0].axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     scene.balls = {ball(Role::level_node, 1, {0.1, 0, 0}, 0.4)};
@@ -259,14 +258,14 @@ TEST_CASE("what moves, moves across the picture from left to right", "[space]") 
 }
 
 TEST_CASE("a box has twelve sharp edges and flat faces, a ring of tubes none", "[space]") {
-    const Surface box = surface_of(lod3d::solid_from_spec("box").mesh);
+    const Surface box = surface_of(lod3d::generate("box").mesh);
     CHECK(std::count_if(box.edges.begin(), box.edges.end(),
                         [](const Surface::Edge& edge) { return edge.sharp; }) == 12);
     for (const auto& corners : box.normals)
         for (const Point3& n : corners)
             CHECK(std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)}) == Approx(1));
     CHECK(box.outermost.size() == 8);
-    const Surface ring = surface_of(lod3d::solid_from_spec("ring").mesh);
+    const Surface ring = surface_of(lod3d::generate("ring").mesh);
     CHECK(std::none_of(ring.edges.begin(), ring.edges.end(),
                        [](const Surface::Edge& edge) { return edge.sharp; }));
 }

@@ -1,5 +1,5 @@
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/viz/draw/draw_contacts.hpp"
 #include "lodlab/viz/draw/draw_projection.hpp"
@@ -17,11 +17,11 @@ namespace {
 
 /// A cube of side 1 with the density 1; octrees are quick to build.
 Actor<3> cube(double x, int depth) {
-    static const lod3d::Solid solid = lod3d::solid_from_spec("box:1,1,1");
+    static const lod3d::Solid solid = lod3d::generate("box:1,1,1");
     Actor<3> actor{look_of(solid), {}};
     lod::set_mass<3>(actor.body, solid.volume, solid.second_moment);
     actor.body.tree = std::make_shared<const lod::SphereTree<3>>(
-        lod3d::build_sphere_tree(solid, {.builder = lod3d::SolidBuilder::octree, .depth = depth}));
+        lod3d::build_tree(solid, {.builder = lod3d::Builder::octree, .depth = depth}));
     actor.body.position = {x, 0, 0};
     return actor;
 }

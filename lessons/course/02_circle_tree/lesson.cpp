@@ -219,12 +219,12 @@ void step_builders(Lesson& lesson, const Crescent& crescent) {
     constexpr int level = 3;
     viz::Figure figure;
     figure.title = "Three builders, the same level";
-    figure.columns = static_cast<int>(lod2d::builders().size());
+    figure.columns = static_cast<int>(lod::choices<lod2d::Builder>().size());
     std::string text =
         "Every one of these trees is certified; they differ in how closely they follow the shape "
         "at the same level. At level 3:\n\n";
-    for (const lod2d::Builder builder : lod2d::builders()) {
-        const std::string name(lod2d::builder_name(builder));
+    for (const lod2d::Builder builder : lod::choices<lod2d::Builder>()) {
+        const std::string name(lod::name_of(builder));
         const auto tree = tree_of(crescent.shape, level, builder);
         const lod2d::LevelReport facts = lod2d::report_tree(crescent.shape, *tree).levels.back();
         viz::Figure one = viz::tree_level(actor("crescent", crescent.shape, tree), level);

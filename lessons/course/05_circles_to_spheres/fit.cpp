@@ -3,7 +3,8 @@
 #include "lessons/course/05_circles_to_spheres/lesson.hpp"
 #include "lodlab/lod2d/builder/tree_report.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
+#include "lodlab/lod3d/builder/tree_report.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"
@@ -53,9 +54,9 @@ std::vector<Fit> fits(const Ring& ring) {
         all.push_back({name + ", plane", lod2d::report_tree(shape, *tree).levels});
     }
     all.push_back({"ring, space", ring.report.levels});
-    const lod3d::Solid l = lod3d::solid_from_spec("L:0.3");
-    const auto tree = lod3d::build_sphere_tree(l, {.depth = depth, .effort = effort});
-    all.push_back({"L, space", lod3d::report_sphere_tree(l, tree).levels});
+    const lod3d::Solid l = lod3d::generate("L:0.3");
+    const auto tree = lod3d::build_tree(l, {.depth = depth, .effort = effort});
+    all.push_back({"L, space", lod3d::report_tree(l, tree).levels});
     return all;
 }
 
@@ -165,10 +166,10 @@ Number share_of_diameter(double fraction) {
 Ring make_ring() {
     Ring ring;
     // listing: ring
-    ring.solid = lod3d::solid_from_spec("ring:0.12,24");
-    const lod3d::SphereTreeSettings settings{.branching = 8, .depth = 2, .effort = effort};
-    const lod::SphereTree<3> tree = lod3d::build_sphere_tree(ring.solid, settings);
-    ring.report = lod3d::report_sphere_tree(ring.solid, tree);
+    ring.solid = lod3d::generate("ring:0.12,24");
+    const lod3d::TreeSettings settings{.branching = 8, .depth = 2, .effort = effort};
+    const lod::SphereTree<3> tree = lod3d::build_tree(ring.solid, settings);
+    ring.report = lod3d::report_tree(ring.solid, tree);
     // end of listing
     ring.tree = std::make_shared<const lod::SphereTree<3>>(tree);
     ring.body = actor("ring", ring.solid, ring.tree);

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lodlab/core/response/impact.hpp"
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 
 namespace lessons {
@@ -13,9 +13,9 @@ constexpr double degree = 3.14159265358979323846 / 180;
 
 Crate make_crate() {
     Crate crate;
-    const lod3d::Solid box = lod3d::solid_from_spec("box:1,0.6,0.2");
+    const lod3d::Solid box = lod3d::generate("box:1,0.6,0.2");
     const auto tree = std::make_shared<const lod::SphereTree<3>>(
-        lod3d::build_sphere_tree(box, {.depth = 1, .effort = 0}));
+        lod3d::build_tree(box, {.depth = 1, .effort = 0}));
     crate.actor = actor("crate", box, tree);
     lod::set_mass(crate.actor.body, crate.mass, crate.mass / box.volume * box.second_moment);
     return crate;

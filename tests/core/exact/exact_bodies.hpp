@@ -35,8 +35,8 @@ struct Boxes<2> {
 template <>
 struct Boxes<3> {
     static std::shared_ptr<const lod::ExactShape<3>> make(double width, double height) {
-        return std::make_shared<lod3d::Surface>(
-            lod3d::solid_from_spec(box_spec(width, height) + ",1"));
+        return std::make_shared<lod3d::ExactSurface>(
+            lod3d::generate(box_spec(width, height) + ",1"));
     }
 };
 

@@ -11,7 +11,7 @@
 #include "lodlab/lod2d/builder/build_tree.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/lod2d/shape/outline.hpp"
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/lod3d/solid/surface.hpp"
 #include "tests/catch.hpp"
@@ -93,15 +93,15 @@ Body<2> body_of(const lod2d::Shape& shape, lod2d::Builder builder) {
     return body;
 }
 
-Body<3> body_of(const lod3d::Solid& solid, lod3d::SolidBuilder builder) {
+Body<3> body_of(const lod3d::Solid& solid, lod3d::Builder builder) {
     Body<3> body;
     set_mass<3>(body, solid.volume, solid.second_moment);
-    body.exact = std::make_shared<lod3d::Surface>(solid);
-    lod3d::SphereTreeSettings settings;
+    body.exact = std::make_shared<lod3d::ExactSurface>(solid);
+    lod3d::TreeSettings settings;
     settings.builder = builder;
     settings.depth = 2;
     settings.effort = 0.1;
-    body.tree = std::make_shared<SphereTree<3>>(lod3d::build_sphere_tree(solid, settings));
+    body.tree = std::make_shared<SphereTree<3>>(lod3d::build_tree(solid, settings));
     return body;
 }
 
@@ -126,20 +126,20 @@ TEST_CASE("a box that falls flat leaves without spin in the plane", "[flat]") {
     for (const auto& [builder, spin] : lopsided_spin) {
         const auto floor = body_of(lod2d::generate("box:6,1"), builder);
         const auto box = body_of(lod2d::generate("box"), builder);
-        check_fall(fall_of(floor, box), std::string(lod2d::builder_name(builder)), spin);
+        check_fall(fall_of(floor, box), std::string(lod::name_of(builder)), spin);
     }
-    CHECK(lopsided_spin.size() == lod2d::builders().size());
+    CHECK(lopsided_spin.size() == lod::choices<lod2d::Builder>().size());
 }
 
 TEST_CASE("a box that falls flat leaves without spin in space", "[flat]") {
     // The octree of the floor begins in a cube, so its level 2 is lopsided; the cover's spheres are
     // searched for from random starts.
-    const std::map<lod3d::SolidBuilder, double> lopsided_spin{{lod3d::SolidBuilder::octree, 0.75},
-                                                              {lod3d::SolidBuilder::cover, 1.15}};
+    const std::map<lod3d::Builder, double> lopsided_spin{{lod3d::Builder::octree, 0.75},
+                                                         {lod3d::Builder::cover, 1.15}};
     for (const auto& [builder, spin] : lopsided_spin) {
-        const auto floor = body_of(lod3d::solid_from_spec("box:2,1,2"), builder);
-        const auto box = body_of(lod3d::solid_from_spec("box:1,1,1"), builder);
-        check_fall(fall_of(floor, box), std::string(lod3d::name_of(builder)), spin);
+        const auto floor = body_of(lod3d::generate("box:2,1,2"), builder);
+        const auto box = body_of(lod3d::generate("box:1,1,1"), builder);
+        check_fall(fall_of(floor, box), std::string(lod::name_of(builder)), spin);
     }
-    CHECK(lopsided_spin.size() == lod3d::solid_builders().size());
+    CHECK(lopsided_spin.size() == lod::choices<lod3d::Builder>().size());
 }

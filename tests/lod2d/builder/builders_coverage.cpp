@@ -57,7 +57,7 @@ TEST_CASE("every builder's tree is certified, and samples agree, level by level"
     check_property(21, 40, [] {
         const Shape shape = random_shape();
         const PolygonPiece whole(shape.polygon);
-        for (const Builder builder : builders()) {
+        for (const Builder builder : lod::choices<Builder>()) {
             TreeSettings settings;
             settings.builder = builder;
             settings.depth = *rc::gen::inRange(0, 5);
@@ -77,7 +77,7 @@ TEST_CASE("slivers and thin rings are covered too", "[coverage]") {
     for (const char* spec : {"box:1,0.001", "ring:0.99", "star:40,0.05", "rod:1,0.001"}) {
         INFO(spec);
         const Shape shape = generate(spec);
-        for (const Builder builder : builders()) {
+        for (const Builder builder : lod::choices<Builder>()) {
             TreeSettings settings;
             settings.builder = builder;
             const auto tree = build_tree(shape, settings);
@@ -90,7 +90,7 @@ TEST_CASE("a tree with a shrunk or a moved circle loses its certificate from tha
           "[coverage]") {
     const Shape shape = generate("gear:7");
     const PolygonPiece whole(shape.polygon);
-    for (const Builder builder : builders()) {
+    for (const Builder builder : lod::choices<Builder>()) {
         TreeSettings settings;
         settings.builder = builder;
         settings.depth = 3;
@@ -142,7 +142,7 @@ TEST_CASE("a level that is only just too small is uncovered by a little, not by 
 
 TEST_CASE("the same shape and settings give the same tree to the last bit", "[builders]") {
     const Shape shape = generate("blob:3");
-    for (const Builder builder : builders()) {
+    for (const Builder builder : lod::choices<Builder>()) {
         TreeSettings settings;
         settings.builder = builder;
         const auto first = build_tree(shape, settings);
@@ -170,10 +170,11 @@ TEST_CASE("settings out of range are refused by name, and progress runs from 0 t
     refused(4, 13, Builder::quadtree);
     refused(4, 11, Builder::medial);
     refused(8, 3, Builder::quadtree);
-    CHECK(builder_named("pieces") == Builder::pieces);
-    CHECK_THROWS_WITH(builder_named("octree"), lodtest::contains("quadtree, pieces or medial"));
+    CHECK(lod::chosen<Builder>("pieces", "builder") == Builder::pieces);
+    CHECK_THROWS_WITH(lod::chosen<Builder>("octree", "builder"),
+                      lodtest::contains("quadtree, pieces or medial"));
 
-    for (const Builder builder : builders()) {
+    for (const Builder builder : lod::choices<Builder>()) {
         std::vector<double> shares;
         TreeSettings settings;
         settings.builder = builder;
@@ -189,7 +190,7 @@ TEST_CASE("settings out of range are refused by name, and progress runs from 0 t
 TEST_CASE("a builder stops when it is asked to", "[builders]") {
     TreeSettings settings;
     settings.progress = [](double) { lod::stop_signal = 2; };
-    for (const Builder builder : builders()) {
+    for (const Builder builder : lod::choices<Builder>()) {
         settings.builder = builder;
         CHECK_THROWS_AS(build_tree(generate("gear:9"), settings), lod::Interrupted);
         lod::stop_signal = 0;
@@ -198,7 +199,7 @@ TEST_CASE("a builder stops when it is asked to", "[builders]") {
 
 TEST_CASE("node normals have length 1 on a flat side and none on the whole", "[builders]") {
     const Shape shape = generate("box");
-    for (const Builder builder : builders()) {
+    for (const Builder builder : lod::choices<Builder>()) {
         TreeSettings settings;
         settings.builder = builder;
         const auto tree = build_tree(shape, settings);

@@ -122,8 +122,8 @@ TEST_CASE("a report of every builder's tree holds together", "[report]") {
     for (const char* spec : {"gear:9", "L", "ring:0.7", "blob:4"}) {
         INFO(spec);
         const Shape shape = generate(spec);
-        for (const Builder builder : builders()) {
-            INFO(builder_name(builder));
+        for (const Builder builder : lod::choices<Builder>()) {
+            INFO(lod::name_of(builder));
             TreeSettings settings;
             settings.builder = builder;
             const auto tree = build_tree(shape, settings);

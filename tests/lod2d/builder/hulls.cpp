@@ -26,7 +26,7 @@ TEST_CASE("every builder's hulls hold the pieces of their nodes", "[hulls]") {
     check_property(22, lodtest::sanitized ? 3 : 25, [] {
         const Shape shape = random_shape();
         const PolygonPiece whole(shape.polygon);
-        for (const Builder builder : builders()) {
+        for (const Builder builder : lod::choices<Builder>()) {
             TreeSettings settings;
             settings.builder = builder;
             settings.depth = 3;

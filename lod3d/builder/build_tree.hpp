@@ -1,24 +1,30 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <span>
 #include <string_view>
 
-#include "lodlab/core/builder/tree_report.hpp"
+#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/tree/tree.hpp"
 #include "lodlab/lod3d/solid/solid.hpp"
 
 namespace lod3d {
 
 /// How a sphere tree is made.
-enum class SolidBuilder {
+enum class Builder {
     octree,  ///< cubes halved, a sphere round each that holds some of the solid: the classical one
     cover,   ///< spheres searched for, so that they stand out little on their level and the next
 };
 
-struct SphereTreeSettings {
-    SolidBuilder builder = SolidBuilder::cover;
+[[nodiscard]] constexpr std::array<std::string_view, 2> names_of(Builder) {
+    return {"octree", "cover"};
+}
+static_assert(names_of(Builder{}).size() == static_cast<std::size_t>(Builder::cover) + 1);
+
+struct TreeSettings {
+    Builder builder = Builder::cover;
     int branching = 8;  ///< most children of a node, 2 to 64; the octree has 8 always
     int depth = 3;      ///< levels below the root, 0 to 12; branching^depth is at most 1048576
     /// A node that stands out of the solid by no more than this share of the root sphere's diameter
@@ -38,23 +44,6 @@ struct SphereTreeSettings {
 /// level or a leaf above it (core/builder/certify.hpp). Deterministic.
 /// Throws lod::Error: limit exceeded where a setting is out of range, input refused where rounding
 /// leaves a tree without its certificate.
-[[nodiscard]] lod::SphereTree<3> build_sphere_tree(const Solid& solid,
-                                                   const SphereTreeSettings& settings = {});
-
-[[nodiscard]] std::span<const SolidBuilder> solid_builders();
-[[nodiscard]] std::string_view name_of(SolidBuilder builder);
-/// Throws lod::Error (usage) where there is no such builder, naming those that there are.
-[[nodiscard]] SolidBuilder solid_builder_named(std::string_view name);
-
-struct SphereTreeReportSettings {
-    double tolerance = 1e-4;  ///< of the worst protrusion, as a share of the bounding diameter, > 0
-    int samples = 20000;      ///< least number of points on a level's spheres, for mean and volume
-};
-
-/// Measures any sphere tree, built or loaded, against the solid that it stands for. Mean protrusion
-/// and volume ratio are sampled, to about 1 / sqrt(samples).
-/// Requires at least one node and finite numbers.
-[[nodiscard]] lod::TreeReport report_sphere_tree(const Solid& solid, const lod::SphereTree<3>& tree,
-                                                 const SphereTreeReportSettings& settings = {});
+[[nodiscard]] lod::SphereTree<3> build_tree(const Solid& solid, const TreeSettings& settings = {});
 
 }  // namespace lod3d

@@ -1,4 +1,5 @@
-#include "lodlab/lod3d/builder/sphere_tree.hpp"
+#include "lodlab/lod3d/builder/build_tree.hpp"
+#include "lodlab/lod3d/builder/tree_report.hpp"
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/builder/piece.hpp"
@@ -55,16 +56,16 @@ int without_chain(const lod::SphereTree<3>& tree, const std::vector<Point>& poin
 
 TEST_CASE("both builders' trees are certified, and samples agree, level by level", "[tree]") {
     for (const char* spec : {"L", "ring:0.12,40", "gear:7,0.25,0.4"}) {
-        const Solid solid = solid_from_spec(spec);
+        const Solid solid = generate(spec);
         const auto points = points_of(solid, 500);
-        for (const SolidBuilder builder : solid_builders()) {
-            INFO(spec << " by " << name_of(builder));
-            SphereTreeSettings settings;
+        for (const Builder builder : lod::choices<Builder>()) {
+            INFO(spec << " by " << lod::name_of(builder));
+            TreeSettings settings;
             settings.builder = builder;
             settings.depth = 2;
             settings.effort = 0.05;
-            const auto tree = build_sphere_tree(solid, settings);
-            const lod::TreeReport report = report_sphere_tree(solid, tree);
+            const auto tree = build_tree(solid, settings);
+            const lod::TreeReport report = report_tree(solid, tree);
             REQUIRE(report.levels.size() == 3);
             double last = 1e9;
             int most_nodes = 1;
@@ -84,23 +85,23 @@ TEST_CASE("both builders' trees are certified, and samples agree, level by level
 }
 
 TEST_CASE("a tree with a sphere made smaller loses its certificate", "[tree]") {
-    const Solid solid = solid_from_spec("ring:0.12,40");
-    SphereTreeSettings settings;
+    const Solid solid = generate("ring:0.12,40");
+    TreeSettings settings;
     settings.depth = 1;
     settings.effort = 0.05;
-    auto tree = build_sphere_tree(solid, settings);
+    auto tree = build_tree(solid, settings);
     tree.radius[3] *= 0.9;
-    const lod::TreeReport report = report_sphere_tree(solid, tree);
+    const lod::TreeReport report = report_tree(solid, tree);
     CHECK(report.levels[0].certified);
     CHECK_FALSE(report.levels[1].certified);
     CHECK(report.levels[1].uncovered > 0);
 }
 
 TEST_CASE("one sphere about a cube is reported as worked by hand", "[tree]") {
-    const Solid cube = solid_from_spec("box:1,1,1");
+    const Solid cube = generate("box:1,1,1");
     const double radius = std::sqrt(0.75);
     const auto tree = lod::single_sphere<3>({Point::Zero(), radius * (1 + 1e-9)});
-    const lod::TreeReport report = report_sphere_tree(cube, tree);
+    const lod::TreeReport report = report_tree(cube, tree);
     CHECK(report.bounding_diameter == Approx(2 * radius));
     const lod::LevelReport& level = report.levels[0];
     CHECK(level.certified);
@@ -110,42 +111,43 @@ TEST_CASE("one sphere about a cube is reported as worked by hand", "[tree]") {
 }
 
 TEST_CASE("the same solid and settings give the same tree", "[tree]") {
-    const Solid solid = solid_from_spec("gear:5,0.25,0.4");
-    SphereTreeSettings settings;
+    const Solid solid = generate("gear:5,0.25,0.4");
+    TreeSettings settings;
     settings.depth = 1;
     settings.effort = 0.05;
-    const auto first = build_sphere_tree(solid, settings);
-    const auto second = build_sphere_tree(solid, settings);
+    const auto first = build_tree(solid, settings);
+    const auto second = build_tree(solid, settings);
     CHECK(first.radius == second.radius);
     CHECK(first.centre == second.centre);
 }
 
 TEST_CASE("depth, nodes and an error target each end the growing", "[tree]") {
-    const Solid solid = solid_from_spec("ring:0.12,40");
-    SphereTreeSettings settings;
+    const Solid solid = generate("ring:0.12,40");
+    TreeSettings settings;
     settings.depth = 3;
     settings.effort = 0.05;
     settings.most_nodes = 100;
-    CHECK(build_sphere_tree(solid, settings).levels() == 3);  // 1 + 8 + 64 nodes at most
+    CHECK(build_tree(solid, settings).levels() == 3);  // 1 + 8 + 64 nodes at most
     settings.most_nodes = 0;
     settings.least_protrusion = 0.15;
-    const auto coarse = build_sphere_tree(solid, settings);
+    const auto coarse = build_tree(solid, settings);
     CHECK(coarse.levels() == 2);
-    CHECK(report_sphere_tree(solid, coarse).levels.back().worst_protrusion_fraction <= 0.15);
+    CHECK(report_tree(solid, coarse).levels.back().worst_protrusion_fraction <= 0.15);
 }
 
 TEST_CASE("settings out of range are refused, and progress never falls", "[tree]") {
-    const Solid solid = solid_from_spec("tetrahedron");
-    SphereTreeSettings settings;
+    const Solid solid = generate("tetrahedron");
+    TreeSettings settings;
     settings.branching = 1;
-    CHECK_THROWS_AS(build_sphere_tree(solid, settings), lod::Error);
+    CHECK_THROWS_AS(build_tree(solid, settings), lod::Error);
     settings.branching = 4;
-    settings.builder = SolidBuilder::octree;
-    CHECK_THROWS_WITH(build_sphere_tree(solid, settings), lodtest::contains("branching 8"));
-    CHECK_THROWS_WITH(solid_builder_named("dodo"), lodtest::contains("octree or cover"));
+    settings.builder = Builder::octree;
+    CHECK_THROWS_WITH(build_tree(solid, settings), lodtest::contains("branching 8"));
+    CHECK_THROWS_WITH(lod::chosen<Builder>("dodo", "builder"),
+                      lodtest::contains("octree or cover"));
     settings = {};
     settings.effort = -1;
-    CHECK_THROWS_WITH(build_sphere_tree(solid, settings), lodtest::contains("effort"));
+    CHECK_THROWS_WITH(build_tree(solid, settings), lodtest::contains("effort"));
     settings.effort = 0.05;
     settings.depth = 2;
     double last = 0;
@@ -153,6 +155,6 @@ TEST_CASE("settings out of range are refused, and progress never falls", "[tree]
         CHECK(share >= last);
         last = share;
     };
-    static_cast<void>(build_sphere_tree(solid, settings));
+    static_cast<void>(build_tree(solid, settings));
     CHECK(last == 1);
 }
