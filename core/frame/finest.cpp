@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lodlab/core/base/refill.hpp"
+
 namespace lod {
 namespace {
 
@@ -151,91 +153,111 @@ std::vector<Contact<Dim>> carried_contacts(const ExactContact<Dim>& touch, const
 
 namespace {
 
-/// Whether a body that moves is in a collision of the frame beside the pair's own.
-template <int Dim>
-bool collides_elsewhere(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
-                        const Fronts& fronts, std::size_t own) {
-    const auto shares = [&](std::int32_t body, const CandidatePair& other) {
-        return !bodies[at(body)].is_static() && (other.a == body || other.b == body);
-    };
-    for (std::size_t p = 0; p < pairs.size(); ++p)
-        if (p != own && fronts.of_pair[p].pairs.count > 0 &&
-            (shares(pairs[own].a, pairs[p]) || shares(pairs[own].b, pairs[p])))
-            return true;
-    return false;
-}
-
 /// A front that the true shapes proved wrong: the nodes overlap, the bodies don't.
 void clear_contacts(ListedFront& front) {
     front.pairs.count = 0;
     front.verdict = Verdict::apart;
 }
 
-template <int Dim>
-void settle_backtracking(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
-                         const FinestDetail& detail, double time_step, const Fronts& fronts,
-                         std::vector<FinestPair<Dim>>& found) {
-    for (FinestPair<Dim>& pair : found) {
-        if (pair.touch.verdict == ExactVerdict::apart) continue;
-        const std::size_t p = at(pair.pair);
-        pair.backtracked = detail.level == Finest::backtrack && pair.touch.time <= 0 &&
-                           pair.touch.time >= -time_step &&
-                           !collides_elsewhere(bodies, pairs, fronts, p);
-        pair.contacts = pair.backtracked ? pair.touch.contacts
-                                         : carried_contacts(pair.touch, bodies[at(pairs[p].a)],
-                                                            bodies[at(pairs[p].b)]);
-    }
+bool collides(const Fronts& fronts, std::size_t pair) {
+    return fronts.of_pair[pair].pairs.count > 0;
 }
 
 }  // namespace
 
 template <int Dim>
-void refine_finest(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
-                   std::span<const std::int32_t> order, const FinestDetail& detail,
-                   double time_step, Budget& budget, Fronts& fronts,
-                   std::vector<FinestPair<Dim>>& found) {
-    found.clear();
-    if (detail.level == Finest::leaves) return;
-    std::uint64_t node_pairs = 0;
+void TrueShapePass<Dim>::refine(const TrueShapeTask<Dim>& task, Budget& budget, Fronts& fronts) {
+    found_.clear();
+    steps_ = 0;
+    if (task.detail.level == Finest::leaves) return;
+    node_pairs_ = 0;
     for (const ListedFront& front : fronts.of_pair)
-        node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+        node_pairs_ += static_cast<std::uint64_t>(front.pairs.count);
     int asked = 0;
-    for (std::int32_t i : order) {
-        ListedFront& front = fronts.of_pair[at(i)];
-        const Body<Dim>& a = bodies[at(pairs[at(i)].a)];
-        const Body<Dim>& b = bodies[at(pairs[at(i)].b)];
+    for (const std::int32_t i : task.order) {
+        ++steps_;
+        const ListedFront& front = fronts.of_pair[at(i)];
         const bool ripe = front.finest && front.verdict == Verdict::true_collision;
-        if (!ripe || !a.exact || !b.exact) continue;
-        if (asked == detail.most_pairs) break;
+        const CandidatePair& pair = task.pairs[at(i)];
+        if (!ripe || !task.bodies[at(pair.a)].exact || !task.bodies[at(pair.b)].exact) continue;
+        if (asked == task.detail.most_pairs) break;
         ++asked;
-        budget.reserve(node_pairs);
-        budget.begin(i, front.level + 1);
-        const std::uint64_t paid = budget.grant(detail.cost);
-        front.tests += paid;
-        if (paid < detail.cost) break;
-        auto touch = exact_contact(a, b, time_step, detail.tolerance);
-        // A contact of the true shapes costs what a node pair does.
-        const std::uint64_t fewer = static_cast<std::uint64_t>(front.pairs.count);
-        const std::uint64_t more =
-            touch.verdict == ExactVerdict::unresolved ? fewer : touch.contacts.size();
-        if (!budget.keeps_level(more > fewer ? more - fewer : 0)) break;
-        if (touch.verdict == ExactVerdict::unresolved) continue;
-        node_pairs += more;
-        node_pairs -= fewer;
-        if (touch.verdict == ExactVerdict::apart) clear_contacts(front);
-        found.push_back({i, false, std::move(touch), {}});
+        if (!ask(task, i, budget, fronts)) break;
     }
-    settle_backtracking(bodies, pairs, detail, time_step, fronts, found);
-    std::ranges::sort(found, {}, &FinestPair<Dim>::pair);
+    settle_backtracking(task, fronts);
+    std::ranges::sort(found_, {}, &FinestPair<Dim>::pair);
+}
+
+/// The exact level of one pair. Returns false where the budget ended before it.
+template <int Dim>
+bool TrueShapePass<Dim>::ask(const TrueShapeTask<Dim>& task, std::int32_t pair, Budget& budget,
+                             Fronts& fronts) {
+    ListedFront& front = fronts.of_pair[at(pair)];
+    budget.reserve(node_pairs_);
+    budget.begin(pair, front.level + 1);
+    const std::uint64_t paid = budget.grant(task.detail.cost);
+    front.tests += paid;
+    if (paid < task.detail.cost) return false;
+    auto touch = exact_contact(task.bodies[at(task.pairs[at(pair)].a)],
+                               task.bodies[at(task.pairs[at(pair)].b)], task.time_step,
+                               task.detail.tolerance);
+    // A contact of the true shapes costs what a node pair does.
+    const std::uint64_t fewer = static_cast<std::uint64_t>(front.pairs.count);
+    const std::uint64_t more =
+        touch.verdict == ExactVerdict::unresolved ? fewer : touch.contacts.size();
+    if (!budget.keeps_level(more > fewer ? more - fewer : 0)) return false;
+    if (touch.verdict == ExactVerdict::unresolved) return true;
+    node_pairs_ += more;
+    node_pairs_ -= fewer;
+    if (touch.verdict == ExactVerdict::apart) clear_contacts(front);
+    found_.push_back({pair, false, std::move(touch), {}});
+    return true;
+}
+
+template <int Dim>
+void TrueShapePass<Dim>::settle_backtracking(const TrueShapeTask<Dim>& task, const Fronts& fronts) {
+    if (task.detail.level == Finest::backtrack && !found_.empty()) count_collisions(task, fronts);
+    for (FinestPair<Dim>& pair : found_) {
+        ++steps_;
+        if (pair.touch.verdict == ExactVerdict::apart) continue;
+        const std::size_t p = at(pair.pair);
+        pair.backtracked = task.detail.level == Finest::backtrack && pair.touch.time <= 0 &&
+                           pair.touch.time >= -task.time_step &&
+                           !collides_elsewhere(task, fronts, p);
+        pair.contacts = pair.backtracked
+                            ? pair.touch.contacts
+                            : carried_contacts(pair.touch, task.bodies[at(task.pairs[p].a)],
+                                               task.bodies[at(task.pairs[p].b)]);
+    }
+}
+
+template <int Dim>
+void TrueShapePass<Dim>::count_collisions(const TrueShapeTask<Dim>& task, const Fronts& fronts) {
+    refill(collisions_, task.bodies.size(), 0);
+    for (std::size_t p = 0; p < task.pairs.size(); ++p) {
+        ++steps_;
+        if (!collides(fronts, p)) continue;
+        ++collisions_[at(task.pairs[p].a)];
+        ++collisions_[at(task.pairs[p].b)];
+    }
+}
+
+/// Whether a body that moves is in a collision of the frame beside the pair's own.
+template <int Dim>
+bool TrueShapePass<Dim>::collides_elsewhere(const TrueShapeTask<Dim>& task, const Fronts& fronts,
+                                            std::size_t own) const {
+    const std::int32_t its_own = collides(fronts, own) ? 1 : 0;
+    const auto elsewhere = [&](std::int32_t body) {
+        return !task.bodies[at(body)].is_static() && collisions_[at(body)] > its_own;
+    };
+    return elsewhere(task.pairs[own].a) || elsewhere(task.pairs[own].b);
 }
 
 #define LOD_INSTANTIATE(Dim)                                                                      \
     template ExactContact<Dim> exact_contact(const Body<Dim>&, const Body<Dim>&, double, double); \
     template std::vector<Contact<Dim>> carried_contacts(const ExactContact<Dim>&,                 \
                                                         const Body<Dim>&, const Body<Dim>&);      \
-    template void refine_finest(std::span<const Body<Dim>>, std::span<const CandidatePair>,       \
-                                std::span<const std::int32_t>, const FinestDetail&, double,       \
-                                Budget&, Fronts&, std::vector<FinestPair<Dim>>&);
+    template class TrueShapePass<Dim>;
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

@@ -76,19 +76,50 @@ struct FinestPair {
     std::vector<Contact<Dim>> contacts;  ///< for the response; of now, or of touch.time
 };
 
-/// The levels after the leaves (see schedule.hpp, whose refine_all goes before): asks the true
-/// shapes of those pairs whose leaves overlap, in the order of priority, until the budget ends or
-/// most_pairs have been asked. A pair whose bodies have no exact shape is passed over. Clears the
-/// front of a pair that turns out to be apart.
-///
-/// Backtracking rewinds two bodies alone, so a pair is backtracked only if it touched within the
-/// last time_step and no body of it that moves is in any other collision of the frame; otherwise
-/// its contacts are carried to the present. Where the budget cuts something short, Budget::cut says
-/// where.
+/// The candidate pairs of a frame, and how far beyond the leaves they go.
 template <int Dim>
-void refine_finest(std::span<const Body<Dim>> bodies, std::span<const CandidatePair> pairs,
-                   std::span<const std::int32_t> order, const FinestDetail& detail,
-                   double time_step, Budget& budget, Fronts& fronts,
-                   std::vector<FinestPair<Dim>>& found);
+struct TrueShapeTask {
+    std::span<const Body<Dim>> bodies;
+    std::span<const CandidatePair> pairs;
+    std::span<const std::int32_t> order;  ///< of priority
+    FinestDetail detail;
+    double time_step = 0;  ///< [s], > 0
+};
+
+/// The levels after the leaves (see schedule.hpp, whose refine_all goes before).
+template <int Dim>
+class TrueShapePass {
+  public:
+    /// Asks the true shapes of those pairs whose leaves overlap, in the order of priority, until
+    /// the budget ends or most_pairs have been asked. A pair whose bodies have no exact shape is
+    /// passed over. Clears the front of a pair that turns out to be apart.
+    ///
+    /// Backtracking rewinds two bodies alone, so a pair is backtracked only if it touched within
+    /// the last time_step and no body of it that moves is in any other collision of the frame;
+    /// otherwise its contacts are carried to the present. Where the budget cuts something short,
+    /// Budget::cut says where.
+    void refine(const TrueShapeTask<Dim>& task, Budget& budget, Fronts& fronts);
+    void clear() { found_.clear(); }
+
+    /// In the order of the candidates.
+    [[nodiscard]] const std::vector<FinestPair<Dim>>& found() const { return found_; }
+    /// How many pairs the last `refine` looked at, again and again: three times each at most.
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+  private:
+    bool ask(const TrueShapeTask<Dim>& task, std::int32_t pair, Budget& budget, Fronts& fronts);
+    void settle_backtracking(const TrueShapeTask<Dim>& task, const Fronts& fronts);
+    void count_collisions(const TrueShapeTask<Dim>& task, const Fronts& fronts);
+    [[nodiscard]] bool collides_elsewhere(const TrueShapeTask<Dim>& task, const Fronts& fronts,
+                                          std::size_t own) const;
+
+    std::vector<FinestPair<Dim>> found_;
+    std::vector<std::int32_t> collisions_;  ///< of each body
+    std::uint64_t node_pairs_ = 0;          ///< of all fronts, or true contacts in their place
+    std::uint64_t steps_ = 0;
+};
+
+extern template class TrueShapePass<2>;
+extern template class TrueShapePass<3>;
 
 }  // namespace lod

@@ -56,7 +56,8 @@ void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& sett
     record.node_pairs.clear();
     record.impacts.clear();
     record.contact_nodes.clear();
-    auto finest = storage.finest.begin();
+    const std::vector<FinestPair<Dim>>& true_shapes = storage.true_shapes.found();
+    auto finest = true_shapes.begin();
     for (std::size_t p = 0; p < storage.candidates.size(); ++p) {
         const ListedFront& front = storage.fronts.of_pair[p];
         const auto first = static_cast<std::int32_t>(record.impacts.size());
@@ -68,7 +69,7 @@ void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& sett
                                 first,
                                 0,
                                 {first_node, 0}});
-        if (finest != storage.finest.end() && finest->pair == static_cast<std::int32_t>(p))
+        if (finest != true_shapes.end() && finest->pair == static_cast<std::int32_t>(p))
             take_exact(*finest++, record);
         else
             model_front(bodies, settings, p, storage);
@@ -82,14 +83,15 @@ std::uint64_t reserved_row_visits(const FrameStorage<Dim>& storage) {
     std::uint64_t node_pairs = 0;
     for (const ListedFront& front : storage.fronts.of_pair)
         node_pairs += static_cast<std::uint64_t>(front.pairs.count);
-    for (const FinestPair<Dim>& pair : storage.finest) node_pairs += pair.contacts.size();
+    for (const FinestPair<Dim>& pair : storage.true_shapes.found())
+        node_pairs += pair.contacts.size();
     return node_pairs * Resolver<Dim>::row_visits_of_a_node_pair;
 }
 
 /// Puts the bodies of backtracked pairs where they stood at their time of impact.
 template <int Dim>
 void rewind(const FrameStorage<Dim>& storage, std::span<Body<Dim>> bodies) {
-    for (const FinestPair<Dim>& pair : storage.finest) {
+    for (const FinestPair<Dim>& pair : storage.true_shapes.found()) {
         if (!pair.backtracked) continue;
         const auto [a, b] = storage.candidates[static_cast<std::size_t>(pair.pair)];
         bodies[static_cast<std::size_t>(a)] = pair.touch.a;
@@ -100,7 +102,7 @@ void rewind(const FrameStorage<Dim>& storage, std::span<Body<Dim>> bodies) {
 /// And lets them move on from there to the present.
 template <int Dim>
 void catch_up(const FrameStorage<Dim>& storage, std::span<Body<Dim>> bodies) {
-    for (const FinestPair<Dim>& pair : storage.finest) {
+    for (const FinestPair<Dim>& pair : storage.true_shapes.found()) {
         if (!pair.backtracked) continue;
         const auto [a, b] = storage.candidates[static_cast<std::size_t>(pair.pair)];
         for (const std::int32_t body : {a, b})
@@ -122,10 +124,11 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
     refine_all<Dim>(storage.candidates, storage.order,
                     {settings.deepest_level, settings.contact_model == ContactModel::hull},
                     storage.world_S, budget, storage.fronts);
-    storage.finest.clear();
+    storage.true_shapes.clear();
     if (!budget.ended())
-        refine_finest<Dim>(bodies, storage.candidates, storage.order, settings.finest,
-                           settings.time_step, budget, storage.fronts, storage.finest);
+        storage.true_shapes.refine(
+            {bodies, storage.candidates, storage.order, settings.finest, settings.time_step},
+            budget, storage.fronts);
     storage.record.cut = budget.cut();
     storage.record.tests = budget.spent() - spent_before;
     model_contacts(bodies, settings, storage);

@@ -82,7 +82,7 @@ struct FrameStorage {
     std::vector<std::int32_t> order;
     std::vector<double> closing_speed;  ///< of each candidate
     Fronts fronts;
-    std::vector<FinestPair<Dim>> finest;  ///< in the order of the candidates
+    TrueShapePass<Dim> true_shapes;
     FrontContacts<Dim> front_contacts;
     FrontModel<Dim> front;  ///< of one pair
     Resolver<Dim> resolver;

@@ -1,6 +1,7 @@
 #include "lodlab/core/frame/finest.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "lodlab/core/frame/frame.hpp"
 #include "tests/catch.hpp"
@@ -156,6 +157,25 @@ TEMPLATE_TEST_CASE_SIG("a body in two collisions is not backtracked", "[finest]"
     for (const PairRecord& pair : record.pairs) CHECK(pair.finest == Finest::exact);
     CHECK(bodies[1].velocity[0] < 0);
     CHECK(bodies[1].velocity[1] > 0);
+}
+
+TEMPLATE_TEST_CASE_SIG("whether bodies collide elsewhere costs a look at each pair", "[finest]",
+                       ((int Dim), Dim), 2, 3) {
+    for (const std::size_t count : {8u, 16u, 32u}) {
+        std::vector<Body<Dim>> bodies;  // towers of two that fall together, each on its own
+        for (std::size_t k = 0; k < count; ++k) {
+            bodies.push_back(square<Dim>({3.0 * static_cast<double>(k), 0}));
+            bodies.push_back(square<Dim>({3.0 * static_cast<double>(k), 0.99}, {0, -2}));
+        }
+        FrameSettings settings = settings_with(Finest::backtrack);
+        settings.finest.most_pairs = std::numeric_limits<int>::max();
+        FrameStorage<Dim> storage;
+        Budget budget = Budget::unlimited();
+        const auto& record = detect<Dim>(bodies, settings, budget, storage);
+        REQUIRE(record.pairs.size() == count);
+        for (const PairRecord& pair : record.pairs) CHECK(pair.finest == Finest::backtrack);
+        CHECK(storage.true_shapes.steps() == 3 * count);
+    }
 }
 
 TEMPLATE_TEST_CASE_SIG("the finest detail goes to the highest priorities only", "[finest]",
