@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
+#include "lodlab/core/math/box_tree.hpp"
 #include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod2d {
@@ -55,27 +55,17 @@ Point Arc::at(const Disc& of, double angle) const {
 }
 
 std::vector<Arc> exposed_arcs(std::span<const Disc> discs) {
-    std::vector<std::size_t> order(discs.size());  // by the left end
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    const auto left = [&](std::size_t i) { return discs[i].centre.x() - discs[i].radius; };
-    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-        return left(i) < left(j) || (left(i) == left(j) && i < j);
-    });
-    double widest = 0;
-    for (const Disc& disc : discs) widest = std::max(widest, disc.radius);
-
+    const std::vector<lod::Box<2>> boxes = lod::boxes_of<2>(discs);
+    lod::BoxTree<2> tree(boxes);
     std::vector<Arc> arcs;
     std::vector<Interval> covered;
     for (std::size_t i = 0; i < discs.size(); ++i) {
         if (discs[i].radius <= 0) continue;
         covered.clear();
-        const double first = left(i) - 2 * widest;
-        const double last = discs[i].centre.x() + discs[i].radius;
-        auto j = std::lower_bound(order.begin(), order.end(), first,
-                                  [&](std::size_t k, double x) { return left(k) < x; });
         bool hidden = false;
-        for (; j != order.end() && left(*j) <= last && !hidden; ++j)
-            if (*j != i) hidden = cover(discs[i], discs[*j], *j < i, covered);
+        tree.each_meeting(boxes[i], [&](std::size_t j) {
+            if (j != i && !hidden) hidden = cover(discs[i], discs[j], j < i, covered);
+        });
         if (!hidden) add_gaps(i, covered, arcs);
     }
     return arcs;

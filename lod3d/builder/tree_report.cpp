@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "lodlab/core/math/box_tree.hpp"
 #include "lodlab/lod3d/builder/directions.hpp"
 #include "lodlab/lod3d/builder/piece.hpp"
 
@@ -18,12 +19,16 @@ lod::UnionMeasures sample_union(std::span<const lod::Sphere<3>> balls, const Mes
     double area = 0;
     double distances = 0;
     lod::UnionMeasures result;
+    const std::vector<lod::Box<3>> boxes = lod::boxes_of<3>(balls);
+    lod::BoxTree<3> tree(boxes);
+    std::vector<const lod::Sphere<3>*> near;
     for (std::size_t i = 0; i < balls.size(); ++i) {
         lod::check_interrupted();
         const lod::Sphere<3>& own = balls[i];
-        std::vector<const lod::Sphere<3>*> near;
-        for (std::size_t j = 0; j < balls.size(); ++j)
+        near.clear();
+        tree.each_meeting(boxes[i], [&](std::size_t j) {
             if (j != i && lod::overlap(own, balls[j])) near.push_back(&balls[j]);
+        });
         const double patch = 4 * std::numbers::pi * own.radius * own.radius / each;
         for (const Point& u : directions) {
             const Point p = own.centre + own.radius * u;

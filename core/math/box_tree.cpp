@@ -1,0 +1,64 @@
+#include "lodlab/core/math/box_tree.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lod {
+
+template <int Dim>
+BoxTree<Dim>::BoxTree(std::span<const Box<Dim>> boxes) {
+    std::vector<std::size_t> chosen(boxes.size());
+    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+    nodes_.reserve(2 * boxes.size());
+    if (!chosen.empty()) build(boxes, chosen);
+}
+
+/// Halves the boxes by their centres along the axis on which these spread widest.
+template <int Dim>
+void BoxTree<Dim>::build(std::span<const Box<Dim>> boxes, std::span<std::size_t> chosen) {
+    const std::size_t place = nodes_.size();
+    Node& node = nodes_.emplace_back();
+    Box<Dim> centres;
+    for (const std::size_t i : chosen) {
+        node.box.hold(boxes[i]);
+        centres.hold(boxes[i].centre());
+    }
+    if (chosen.size() == 1) {
+        node.number = chosen.front();
+        return;
+    }
+    int axis = 0;
+    for (int d = 1; d < Dim; ++d)
+        if (centres.size()[d] > centres.size()[axis]) axis = d;
+    const std::size_t half = chosen.size() / 2;
+    std::ranges::nth_element(chosen, chosen.begin() + static_cast<std::ptrdiff_t>(half),
+                             [&](std::size_t i, std::size_t k) {
+                                 const double at_i = boxes[i].centre()[axis];
+                                 const double at_k = boxes[k].centre()[axis];
+                                 return at_i < at_k || (at_i == at_k && i < k);
+                             });
+    build(boxes, chosen.first(half));
+    nodes_[place].second = nodes_.size();
+    build(boxes, chosen.subspan(half));
+}
+
+template <int Dim>
+std::vector<Box<Dim>> boxes_of(std::span<const Sphere<Dim>> balls) {
+    std::vector<Box<Dim>> boxes;
+    boxes.reserve(balls.size());
+    for (const Sphere<Dim>& ball : balls) {
+        const double far = ball.centre.cwiseAbs().maxCoeff() + ball.radius;
+        const Vector<Dim> half = Vector<Dim>::Constant(ball.radius + 1e-15 * far);
+        boxes.emplace_back(ball.centre - half, ball.centre + half);
+    }
+    return boxes;
+}
+
+#define LOD_INSTANTIATE(Dim)     \
+    template class BoxTree<Dim>; \
+    template std::vector<Box<Dim>> boxes_of(std::span<const Sphere<Dim>>);
+LOD_INSTANTIATE(2)
+LOD_INSTANTIATE(3)
+#undef LOD_INSTANTIATE
+
+}  // namespace lod

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lodlab/core/math/box.hpp"
+#include "lodlab/core/math/sphere.hpp"
+
+namespace lod {
+
+/// A tree over many boxes of any sizes, to find those that meet another one.
+template <int Dim>
+class BoxTree {
+  public:
+    /// Requires: no empty box.
+    explicit BoxTree(std::span<const Box<Dim>> boxes);
+
+    /// Calls visit(i) for every box that meets this one, always in the same order.
+    template <class Visit>
+    void each_meeting(const Box<Dim>& box, const Visit& visit) {
+        if (nodes_.empty()) return;
+        std::array<std::size_t, deepest> open;
+        std::size_t count = 0;
+        open[count++] = 0;
+        while (count > 0) {
+            const std::size_t place = open[--count];
+            const Node& node = nodes_[place];
+            ++steps_;
+            if (!node.box.meets(box)) continue;
+            if (node.second == 0) {
+                visit(node.number);
+                continue;
+            }
+            open[count++] = node.second;
+            open[count++] = place + 1;
+        }
+    }
+
+    /// How many boxes each_meeting has looked at, in all.
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+  private:
+    struct Node {
+        Box<Dim> box;
+        std::size_t number = 0;  ///< of a leaf's box
+        std::size_t second = 0;  ///< child of an inner node, whose first one follows it; 0: a leaf
+    };
+    static constexpr std::size_t deepest = 128;  ///< twice the halvings of what an index can count
+
+    void build(std::span<const Box<Dim>> boxes, std::span<std::size_t> chosen);
+
+    std::vector<Node> nodes_;
+    std::uint64_t steps_ = 0;
+};
+
+/// Boxes of balls, by some units of rounding wider: where two balls overlap, their boxes meet.
+template <int Dim>
+[[nodiscard]] std::vector<Box<Dim>> boxes_of(std::span<const Sphere<Dim>> balls);
+
+extern template class BoxTree<2>;
+extern template class BoxTree<3>;
+
+}  // namespace lod
