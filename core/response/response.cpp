@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "lodlab/core/base/refill.hpp"
-#include "lodlab/core/response/newton.hpp"
+#include "lodlab/core/response/gauss_seidel.hpp"
 
 namespace lod {
 namespace {
@@ -117,8 +117,8 @@ double Resolver<Dim>::fastest_approach(const Island& island, Impacts impacts,
 }
 
 template <int Dim>
-double Resolver<Dim>::newton_tolerance(const Island& island, Impacts impacts,
-                                       std::span<const Body<Dim>> bodies) const {
+double Resolver<Dim>::gauss_seidel_tolerance(const Island& island, Impacts impacts,
+                                             std::span<const Body<Dim>> bodies) const {
     double fastest = 0;
     for (std::int32_t contact : contacts_of(island)) {
         const Impact<Dim>& impact = impacts[at(contact)];
@@ -127,7 +127,7 @@ double Resolver<Dim>::newton_tolerance(const Island& island, Impacts impacts,
             fastest = std::max(fastest, velocity_at<Dim>(bodies[at(body)], r).norm());
         }
     }
-    return newton_share * fastest;
+    return gauss_seidel_share * fastest;
 }
 
 template <int Dim>
@@ -140,8 +140,9 @@ void Resolver<Dim>::resolve_lcp(const Island& island, Impacts impacts, Bodies bo
     }
     report_.most_visits =
         std::max(report_.most_visits,
-                 solve_newton<Dim>(contacts_of(island), impacts, inverse_inertia_, target_,
-                                   newton_tolerance(island, impacts, bodies), bodies, impulses));
+                 solve_by_gauss_seidel<Dim>(contacts_of(island), impacts, inverse_inertia_, target_,
+                                            gauss_seidel_tolerance(island, impacts, bodies), bodies,
+                                            impulses));
 }
 
 template <int Dim>
@@ -157,8 +158,8 @@ void Resolver<Dim>::resolve_reflections(const Island& island, double threshold, 
         if (violated_.empty()) return;
         report_.most_visits = std::max(report_.most_visits, round + 1);
         // Onto the border of what is allowed, and e times as far beyond: a reflection at e = 1.
-        solve_newton<Dim>(violated_, impacts, inverse_inertia_, target_,
-                          newton_tolerance(island, impacts, bodies), bodies, part_);
+        solve_by_gauss_seidel<Dim>(violated_, impacts, inverse_inertia_, target_,
+                                   gauss_seidel_tolerance(island, impacts, bodies), bodies, part_);
         for (std::int32_t contact : violated_) {
             const auto& [a, b, pair, touch] = impacts[at(contact)];
             Body<Dim>& body_a = bodies[at(a)];

@@ -47,7 +47,7 @@ class Resolver {
     static constexpr double settled_share = 1e-12;
     /// Newton impacts are solved until a sweep changes no closing velocity by more than this share
     /// of the fastest contact point's speed: some ten units of rounding.
-    static constexpr double newton_share = 2e-15;
+    static constexpr double gauss_seidel_share = 2e-15;
     static constexpr int most_reflections = 1000;
 
     ResponseReport resolve(Response response, std::span<const Impact<Dim>> impacts,
@@ -73,8 +73,8 @@ class Resolver {
                                           std::span<const Body<Dim>> bodies) const;
     void sequential_sweeps(const Island& island, double threshold, Impacts impacts, Bodies bodies,
                            Impulses& impulses);
-    [[nodiscard]] double newton_tolerance(const Island& island, Impacts impacts,
-                                          std::span<const Body<Dim>> bodies) const;
+    [[nodiscard]] double gauss_seidel_tolerance(const Island& island, Impacts impacts,
+                                                std::span<const Body<Dim>> bodies) const;
     void resolve_lcp(const Island& island, Impacts impacts, Bodies bodies, Impulses& impulses);
     void resolve_reflections(const Island& island, double threshold, Impacts impacts, Bodies bodies,
                              Impulses& impulses);

@@ -1,4 +1,4 @@
-#include "lodlab/core/response/newton.hpp"
+#include "lodlab/core/response/gauss_seidel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,12 +6,13 @@
 namespace lod {
 
 template <int Dim>
-int solve_newton(std::span<const std::int32_t> contacts, std::span<const Impact<Dim>> impacts,
-                 std::span<const Inertia<Dim>> world_inverse_inertia,
-                 std::span<const double> target, double tolerance, std::span<Body<Dim>> bodies,
-                 std::span<double> lambda) {
+int solve_by_gauss_seidel(std::span<const std::int32_t> contacts,
+                          std::span<const Impact<Dim>> impacts,
+                          std::span<const Inertia<Dim>> world_inverse_inertia,
+                          std::span<const double> target, double tolerance,
+                          std::span<Body<Dim>> bodies, std::span<double> lambda) {
     for (std::int32_t contact : contacts) lambda[static_cast<std::size_t>(contact)] = 0;
-    for (int sweep = 1; sweep <= most_newton_sweeps; ++sweep) {
+    for (int sweep = 1; sweep <= most_gauss_seidel_sweeps; ++sweep) {
         double most_change = 0;
         for (std::int32_t contact : contacts) {
             const auto i = static_cast<std::size_t>(contact);
@@ -31,13 +32,14 @@ int solve_newton(std::span<const std::int32_t> contacts, std::span<const Impact<
         }
         if (most_change <= tolerance) return sweep;
     }
-    return most_newton_sweeps;
+    return most_gauss_seidel_sweeps;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                  \
-    template int solve_newton(std::span<const std::int32_t>, std::span<const Impact<Dim>>,    \
-                              std::span<const Inertia<Dim>>, std::span<const double>, double, \
-                              std::span<Body<Dim>>, std::span<double>);
+#define LOD_INSTANTIATE(Dim)                                                                   \
+    template int solve_by_gauss_seidel(std::span<const std::int32_t>,                          \
+                                       std::span<const Impact<Dim>>,                           \
+                                       std::span<const Inertia<Dim>>, std::span<const double>, \
+                                       double, std::span<Body<Dim>>, std::span<double>);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

@@ -14,14 +14,15 @@ namespace lod {
 ///
 /// Projected Gauss-Seidel on the velocities, which are unique where the impulses are not; stops
 /// when a sweep changes no closing velocity by more than `tolerance` [m/s], or after
-/// most_newton_sweeps. A reference: its cost grows faster than the number of contacts. Returns the
-/// sweeps.
+/// most_gauss_seidel_sweeps. A reference: its cost grows faster than the number of contacts.
+/// Returns the sweeps.
 template <int Dim>
-int solve_newton(std::span<const std::int32_t> contacts, std::span<const Impact<Dim>> impacts,
-                 std::span<const Inertia<Dim>> world_inverse_inertia,
-                 std::span<const double> target, double tolerance, std::span<Body<Dim>> bodies,
-                 std::span<double> lambda);
+int solve_by_gauss_seidel(std::span<const std::int32_t> contacts,
+                          std::span<const Impact<Dim>> impacts,
+                          std::span<const Inertia<Dim>> world_inverse_inertia,
+                          std::span<const double> target, double tolerance,
+                          std::span<Body<Dim>> bodies, std::span<double> lambda);
 
-inline constexpr int most_newton_sweeps = 20000;
+inline constexpr int most_gauss_seidel_sweeps = 20000;
 
 }  // namespace lod
