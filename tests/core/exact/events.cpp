@@ -2,7 +2,7 @@
 // friction the number of collisions is the first k + 1 digits of pi (Galperin, Playing pool with
 // pi, 2003). A fixed step miscounts; the exact times of impact must not.
 
-#include "lodlab/core/exact/events.hpp"
+#include "tests/core/exact/advance_to_event.hpp"
 
 #include <cmath>
 
