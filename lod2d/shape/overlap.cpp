@@ -12,6 +12,12 @@ namespace {
 
 using Node = BoundaryIndex::Node;
 
+/// An edge, or a node, of A and one of B.
+struct IndexPair {
+    std::int32_t a = 0;
+    std::int32_t b = 0;
+};
+
 const Node& node_at(const BoundaryIndex& index, std::int32_t node) {
     return index.nodes()[static_cast<std::size_t>(node)];
 }
@@ -34,7 +40,7 @@ bool visit_leaf_pair(const BoundaryIndex& a, const Node& node_a, const BoundaryI
         if (!edge.meets(node_b.box)) continue;
         for (std::int32_t j = node_b.first_edge; j < node_b.last_edge; ++j)
             if (segments_meet(a.edge_start(i), a.edge_end(i), b.edge_start(j), b.edge_end(j)) &&
-                !visit(EdgePair{i, j}))
+                !visit(IndexPair{i, j}))
                 return false;
     }
     return true;
@@ -43,9 +49,9 @@ bool visit_leaf_pair(const BoundaryIndex& a, const Node& node_a, const BoundaryI
 template <typename Visit>
 void visit_crossings(const BoundaryIndex& a, const BoundaryIndex& b, Visit&& visit) {
     if (a.nodes().empty() || b.nodes().empty()) return;
-    std::vector<EdgePair> waiting{{0, 0}};  // pairs of nodes
+    std::vector<IndexPair> waiting{{0, 0}};  // pairs of nodes
     while (!waiting.empty()) {
-        const EdgePair at = waiting.back();
+        const IndexPair at = waiting.back();
         waiting.pop_back();
         const Node& node_a = node_at(a, at.a);
         const Node& node_b = node_at(b, at.b);
@@ -94,14 +100,14 @@ void shorten(const BoundaryIndex& a, const Node& node_a, const BoundaryIndex& b,
 
 struct WaitingPair {
     double least;
-    EdgePair nodes;
+    IndexPair nodes;
 };
 
 }  // namespace
 
 bool overlap(const BoundaryIndex& a, const BoundaryIndex& b) {
     bool meet = false;
-    visit_crossings(a, b, [&](EdgePair) {
+    visit_crossings(a, b, [&](IndexPair) {
         meet = true;
         return false;
     });
@@ -111,17 +117,6 @@ bool overlap(const BoundaryIndex& a, const BoundaryIndex& b) {
 bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b) {
     return overlap(BoundaryIndex(a.polygon).carried(pose_a),
                    BoundaryIndex(b.polygon).carried(pose_b));
-}
-
-std::vector<EdgePair> crossing_edges(const BoundaryIndex& a, const BoundaryIndex& b) {
-    std::vector<EdgePair> pairs;
-    visit_crossings(a, b, [&](EdgePair pair) {
-        pairs.push_back(pair);
-        return true;
-    });
-    std::ranges::sort(pairs,
-                      [](EdgePair p, EdgePair q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
-    return pairs;
 }
 
 ClosestPoints closest_points(const BoundaryIndex& a, const BoundaryIndex& b) {

@@ -1,18 +1,8 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "lodlab/lod2d/shape/distance.hpp"
 
 namespace lod2d {
-
-/// An edge of A and an edge of B that share a point.
-struct EdgePair {
-    std::int32_t a = 0;
-    std::int32_t b = 0;
-    friend bool operator==(const EdgePair&, const EdgePair&) = default;
-};
 
 /// The shortest way from one region to another.
 struct ClosestPoints {
@@ -27,10 +17,6 @@ struct ClosestPoints {
 /// Regions that only touch overlap. The oracle of every interruption test.
 [[nodiscard]] bool overlap(const BoundaryIndex& a, const BoundaryIndex& b);
 [[nodiscard]] bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b);
-
-/// Every pair of edges that share a point, sorted: where the two outlines cross, from which exact
-/// contacts are made.
-[[nodiscard]] std::vector<EdgePair> crossing_edges(const BoundaryIndex& a, const BoundaryIndex& b);
 
 [[nodiscard]] ClosestPoints closest_points(const BoundaryIndex& a, const BoundaryIndex& b);
 /// Between the two regions, 0 when they share a point [m].

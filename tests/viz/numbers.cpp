@@ -57,15 +57,6 @@ TEST_CASE("a logarithmic axis has its ticks at powers of ten", "[numbers]") {
     CHECK(at[4] == Approx(1000));
 }
 
-TEST_CASE("the spread of the numbers 0 to 100 is 10, 50, 90", "[numbers]") {
-    std::vector<double> samples;
-    for (int i = 100; i >= 0; --i) samples.push_back(i);
-    const Spread spread = spread_of(samples);
-    CHECK(spread.low == Approx(10));
-    CHECK(spread.median == Approx(50));
-    CHECK(spread.high == Approx(90));
-}
-
 TEST_CASE("a curve loses the points that a logarithmic axis cannot show", "[numbers]") {
     Axes axes;
     axes.y.scale = Scale::logarithmic;

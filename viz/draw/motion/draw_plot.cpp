@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/figure/number_text.hpp"
 
 namespace viz {
@@ -133,21 +132,6 @@ Figure plot(const std::string& title, const Axes& axes, const std::vector<Curve>
                       number_text(to.x) + ".";
     }
     return figure;
-}
-
-Spread spread_of(std::vector<double> samples) {
-    if (samples.empty())
-        throw lod::Error(lod::ErrorKind::input_refused,
-                         "cannot take the median of no samples; measure at least one");
-    std::sort(samples.begin(), samples.end());
-    const auto quantile = [&](double share) {
-        const double at = share * static_cast<double>(samples.size() - 1);
-        const auto below = static_cast<std::size_t>(at);
-        const std::size_t above = std::min(below + 1, samples.size() - 1);
-        const double rest = at - static_cast<double>(below);
-        return samples[below] + rest * (samples[above] - samples[below]);
-    };
-    return {quantile(0.1), quantile(0.5), quantile(0.9)};
 }
 
 }  // namespace viz

@@ -28,13 +28,4 @@ struct Curve {
                           const std::vector<Curve>& curves, const std::string& caption,
                           long long samples = 0);
 
-/// The middle and the 10-90 % band of samples at one place of a curve.
-struct Spread {
-    double low = 0;
-    double median = 0;
-    double high = 0;
-};
-/// Throws lod::Error (input refused) for an empty list.
-[[nodiscard]] Spread spread_of(std::vector<double> samples);
-
 }  // namespace viz
