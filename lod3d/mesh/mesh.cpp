@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/lod3d/mesh/merge_points.hpp"
 
 namespace lod3d {
 namespace {
@@ -51,31 +52,6 @@ void check_numbers(const Mesh& mesh) {
 }
 
 namespace {
-
-/// Of each vertex the first one that it equals within the tolerance.
-std::vector<std::int32_t> merged_with(const std::vector<Point>& points, double tolerance) {
-    std::vector<std::int32_t> order(points.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
-        const Point& p = points[as_index(i)];
-        const Point& q = points[as_index(j)];
-        return std::tie(p.x(), p.y(), p.z(), i) < std::tie(q.x(), q.y(), q.z(), j);
-    });
-    std::vector<std::int32_t> into(points.size(), -1);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (into[as_index(order[i])] >= 0) continue;
-        into[as_index(order[i])] = order[i];
-        const Point& p = points[as_index(order[i])];
-        for (std::size_t j = i + 1; j < order.size(); ++j) {
-            const Point& q = points[as_index(order[j])];
-            if (q.x() - p.x() > tolerance) break;
-            if (tolerance == 0 && q != p) break;  // equal points stand side by side
-            if (into[as_index(order[j])] < 0 && (q - p).cwiseAbs().maxCoeff() <= tolerance)
-                into[as_index(order[j])] = order[i];
-        }
-    }
-    return into;
-}
 
 /// The triangle with its least vertex first, turned the same way.
 Triangle from_least(Triangle t) {
@@ -123,7 +99,7 @@ int drop_unused_vertices(Mesh& mesh) {
 
 Welded weld(Mesh& mesh, double tolerance) {
     const int unused = drop_unused_vertices(mesh);  // they may hold what has no order
-    const std::vector<std::int32_t> into = merged_with(mesh.vertices, tolerance);
+    const std::vector<std::int32_t> into = merge_points(mesh.vertices, tolerance).into;
     for (Triangle& t : mesh.triangles)
         for (std::int32_t& v : t) v = into[as_index(v)];
     const auto collapsed = std::erase_if(mesh.triangles, [](const Triangle& t) {
