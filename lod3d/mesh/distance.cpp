@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 #include "lodlab/core/math/trigonometry.hpp"
+#include "lodlab/lod3d/mesh/mesh_sides.hpp"
 
 namespace lod3d {
 namespace {
@@ -92,28 +92,15 @@ class SolidAngles {
 
 /// For side k of triangle t, at 3 t + k: the sum of the unit normals of the triangles at that edge.
 std::vector<Point> normals_of_sides(const Mesh& mesh, const std::vector<Point>& unit) {
-    struct Side {
-        std::int32_t low;
-        std::int32_t high;
-        std::size_t number;
-    };
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles)
-        for (std::size_t k = 0; k < 3; ++k)
-            sides.push_back(
-                {std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3]), sides.size()});
-    std::sort(sides.begin(), sides.end(), [](const Side& s, const Side& t) {
-        return std::tie(s.low, s.high, s.number) < std::tie(t.low, t.high, t.number);
-    });
-    std::vector<Point> sums(sides.size());
-    for (auto first = sides.begin(); first != sides.end();) {
-        auto last = first;
+    std::vector<Point> sums(3 * mesh.triangles.size());
+    each_edge(sorted_sides(mesh), [&](auto first, auto last) {
         Point sum = Point::Zero();
-        for (; last != sides.end() && last->low == first->low && last->high == first->high; ++last)
-            sum += unit[last->number / 3];
-        for (; first != last; ++first) sums[first->number] = sum;
-    }
+        for (auto side = first; side != last; ++side)
+            sum += unit[static_cast<std::size_t>(side->triangle)];
+        for (auto side = first; side != last; ++side)
+            sums[3 * static_cast<std::size_t>(side->triangle) +
+                 static_cast<std::size_t>(side->place)] = sum;
+    });
     return sums;
 }
 

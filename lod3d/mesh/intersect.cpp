@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/math/box_tree.hpp"
 #include "lodlab/lod3d/mesh/distance.hpp"
 
 namespace lod3d {
@@ -257,31 +259,28 @@ bool surfaces_intersect(const TriangleTree& a, const Pose& pose_a, const Triangl
 
 PartsMeet parts_meet(const Mesh& mesh, const Parts& parts, double hair) {
     // Each part's triangles in a tree of their own, so that a part never meets itself.
-    std::vector<Mesh> meshes(static_cast<std::size_t>(parts.count));
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        meshes[static_cast<std::size_t>(parts.of_triangle[t])].triangles.push_back(
-            mesh.triangles[t]);
     std::vector<Part> all;
-    for (Mesh& part : meshes) {
-        part.vertices = mesh.vertices;
-        drop_unused_vertices(part);
+    std::vector<Box> boxes;
+    for (const Mesh& part : split(mesh, parts)) {
+        lod::check_interrupted();
         all.emplace_back(part);
+        boxes.push_back(bounding_box(part));
     }
-    std::sort(all.begin(), all.end(), [](const Part& a, const Part& b) {
-        return a.tree.node(0).low.x() < b.tree.node(0).low.x();
-    });
+    lod::BoxTree<3> tree(boxes);
     PartsMeet worst = PartsMeet::apart;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = i + 1; j < all.size(); ++j) {
-            if (all[j].tree.node(0).low.x() > all[i].tree.node(0).high.x()) break;
-            if (!surfaces_intersect(all[i].tree, {}, all[j].tree, {})) continue;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        lod::check_interrupted();
+        tree.each_meeting(boxes[i], [&](std::size_t j) {
+            if (j <= i || worst == PartsMeet::crossing) return;
+            if (!surfaces_intersect(all[i].tree, {}, all[j].tree, {})) return;
             const bool crossing =
                 any_meet(all[i].tree, all[j].tree, {}, [&](const Corners& s, const Corners& t) {
                     return cross(s, all[i], t, all[j], hair);
                 });
-            if (crossing) return PartsMeet::crossing;
-            worst = PartsMeet::touching;
-        }
+            worst = crossing ? PartsMeet::crossing : PartsMeet::touching;
+        });
+        if (worst == PartsMeet::crossing) break;
+    }
     return worst;
 }
 

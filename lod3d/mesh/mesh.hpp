@@ -72,6 +72,8 @@ struct Parts {
     int count = 0;
 };
 [[nodiscard]] Parts find_parts(const Mesh& mesh);
+/// Each part as a mesh of its own, its vertices in the order in which its triangles name them.
+[[nodiscard]] std::vector<Mesh> split(const Mesh& mesh, const Parts& parts);
 
 /// Exact integrals over what a closed mesh bounds, each point counted by its winding number.
 struct Integrals {

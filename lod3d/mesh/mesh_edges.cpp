@@ -3,52 +3,10 @@
 #include <numeric>
 #include <tuple>
 
-#include "lodlab/lod3d/mesh/mesh.hpp"
+#include "lodlab/lod3d/mesh/mesh_sides.hpp"
 
 namespace lod3d {
 namespace {
-
-/// A side of a triangle, named by its lesser vertex first.
-struct Side {
-    std::int32_t low;
-    std::int32_t high;
-    std::int32_t triangle;
-    bool upwards;  ///< the triangle passes it from low to high
-
-    [[nodiscard]] bool same_edge(const Side& other) const {
-        return low == other.low && high == other.high;
-    }
-};
-
-/// All sides, those of one edge side by side.
-std::vector<Side> sorted_sides(const Mesh& mesh) {
-    std::vector<Side> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Triangle& v = mesh.triangles[t];
-        for (std::size_t k = 0; k < 3; ++k) {
-            const std::int32_t from = v[k];
-            const std::int32_t to = v[(k + 1) % 3];
-            sides.push_back(
-                {std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t), from < to});
-        }
-    }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) {
-        return std::tie(a.low, a.high, a.triangle) < std::tie(b.low, b.high, b.triangle);
-    });
-    return sides;
-}
-
-/// Calls visit(first, last) for the sides of every edge.
-template <typename Visit>
-void each_edge(const std::vector<Side>& sides, const Visit& visit) {
-    for (auto first = sides.begin(); first != sides.end();) {
-        const auto last = std::find_if(first, sides.end(),
-                                       [&](const Side& side) { return !side.same_edge(*first); });
-        visit(first, last);
-        first = last;
-    }
-}
 
 /// Sets that merge; each remembers whether its members are turned against its root.
 class TurnedSets {
@@ -95,13 +53,30 @@ class TurnedSets {
 
 }  // namespace
 
+std::vector<MeshSide> sorted_sides(const Mesh& mesh) {
+    std::vector<MeshSide> sides;
+    sides.reserve(3 * mesh.triangles.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::int32_t from = mesh.triangles[t][k];
+            const std::int32_t to = mesh.triangles[t][(k + 1) % 3];
+            sides.push_back({std::min(from, to), std::max(from, to), static_cast<std::int32_t>(t),
+                             static_cast<std::int32_t>(k), from < to});
+        }
+    std::sort(sides.begin(), sides.end(), [](const MeshSide& a, const MeshSide& b) {
+        return std::tie(a.low, a.high, a.triangle, a.place) <
+               std::tie(b.low, b.high, b.triangle, b.place);
+    });
+    return sides;
+}
+
 BadEdges find_bad_edges(const Mesh& mesh) {
     BadEdges bad;
     each_edge(sorted_sides(mesh), [&](auto first, auto last) {
         const BadEdges before = bad;
         const auto count = last - first;
         const auto upwards =
-            std::count_if(first, last, [](const Side& side) { return side.upwards; });
+            std::count_if(first, last, [](const MeshSide& side) { return side.upwards; });
         if (count == 1)
             ++bad.open;
         else if (2 * upwards != count)
@@ -154,6 +129,31 @@ Parts find_parts(const Mesh& mesh) {
         parts.of_triangle.push_back(of_root);
     }
     return parts;
+}
+
+std::vector<Mesh> split(const Mesh& mesh, const Parts& parts) {
+    std::vector<Mesh> meshes(static_cast<std::size_t>(parts.count));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        meshes[static_cast<std::size_t>(parts.of_triangle[t])].triangles.push_back(
+            mesh.triangles[t]);
+    struct Numbered {
+        std::size_t part = 0;  ///< counted from 1
+        std::int32_t number = 0;
+    };
+    std::vector<Numbered> last(mesh.vertices.size());  // where a vertex was met last
+    for (std::size_t part = 1; part <= meshes.size(); ++part) {
+        Mesh& own = meshes[part - 1];
+        for (Triangle& triangle : own.triangles)
+            for (std::int32_t& corner : triangle) {
+                const auto vertex = static_cast<std::size_t>(corner);
+                if (last[vertex].part != part) {
+                    last[vertex] = {part, static_cast<std::int32_t>(own.vertices.size())};
+                    own.vertices.push_back(mesh.vertices[vertex]);
+                }
+                corner = last[vertex].number;
+            }
+    }
+    return meshes;
 }
 
 }  // namespace lod3d

@@ -109,6 +109,27 @@ TEST_CASE("an inside-out mesh has the negative volume", "[mesh]") {
     CHECK(integrate(gear).volume == Approx(-volume).epsilon(1e-14));
 }
 
+TEST_CASE("a mesh that is split has its parts' triangles, and each vertex once a part", "[mesh]") {
+    Mesh two = made("tetrahedron");
+    two.vertices.push_back({9, 9, 9});  // used by none
+    const Mesh ring = made("ring");
+    const auto first = static_cast<std::int32_t>(two.vertices.size());
+    two.vertices.insert(two.vertices.end(), ring.vertices.begin(), ring.vertices.end());
+    for (Triangle t : ring.triangles) {
+        for (std::int32_t& v : t) v += first;
+        two.triangles.push_back(t);
+    }
+    const Parts parts = find_parts(two);
+    REQUIRE(parts.count == 2);
+    const std::vector<Mesh> split_two = split(two, parts);
+    REQUIRE(split_two.size() == 2);
+    CHECK(split_two[0].vertices.size() == 4);
+    CHECK(split_two[1].vertices.size() == ring.vertices.size());
+    for (std::size_t part = 0, whole = 0; part < 2; ++part)
+        for (std::size_t t = 0; t < split_two[part].triangles.size(); ++t, ++whole)
+            for (int k = 0; k < 3; ++k) CHECK(split_two[part].corner(t, k) == two.corner(whole, k));
+}
+
 TEST_CASE("welding joins a soup of triangles", "[mesh]") {
     const Mesh ring = made("ring");
     Mesh soup;

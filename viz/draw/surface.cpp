@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "lodlab/lod3d/mesh/mesh_sides.hpp"
 #include "lodlab/viz/figure/camera.hpp"
 
 namespace viz {
@@ -48,30 +49,20 @@ void find_normals(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Su
     }
 }
 
+/// Where more than two triangles share an edge, two by two.
 void find_edges(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Surface& surface) {
-    std::vector<Surface::Edge> sides;
-    sides.reserve(3 * mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [low, high] =
-                std::minmax(mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]);
-            sides.push_back({low, high, static_cast<int>(t), -1, true});
+    lod3d::each_edge(lod3d::sorted_sides(mesh), [&](auto side, auto last) {
+        while (side != last) {
+            Surface::Edge edge{side->low, side->high, side->triangle, -1, true};
+            if (++side != last) {
+                edge.right = side++->triangle;
+                const Vector3& a = faces[index(edge.left)];
+                const Vector3& b = faces[index(edge.right)];
+                edge.sharp = a.dot(b) < smooth_cosine * a.norm() * b.norm();
+            }
+            surface.edges.push_back(edge);
         }
-    std::sort(sides.begin(), sides.end(), [](const Surface::Edge& a, const Surface::Edge& b) {
-        return std::tie(a.from, a.to, a.left) < std::tie(b.from, b.to, b.left);
     });
-    for (Surface::Edge side : sides) {
-        if (!surface.edges.empty() && surface.edges.back().right < 0 &&
-            surface.edges.back().from == side.from && surface.edges.back().to == side.to) {
-            Surface::Edge& edge = surface.edges.back();
-            edge.right = side.left;
-            const Vector3& a = faces[index(edge.left)];
-            const Vector3& b = faces[index(edge.right)];
-            edge.sharp = a.dot(b) < smooth_cosine * a.norm() * b.norm();
-        } else {
-            surface.edges.push_back(side);
-        }
-    }
 }
 
 /// The vertices that lie furthest out in directions all over a cube.
