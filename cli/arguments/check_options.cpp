@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/sphere_files.hpp"
 #include "lodlab/viz/film/write.hpp"
 
 namespace cli {
@@ -38,9 +39,11 @@ bool has_picture(const Options& options) {
     return std::ranges::any_of(options.out,
                                [](const auto& path) { return !viz::is_video_path(path); });
 }
-bool has_urdf(const Options& options) {
-    return std::ranges::any_of(options.out,
-                               [](const auto& path) { return path.ends_with(".urdf"); });
+bool has_one_level(const Options& options) {
+    return std::ranges::any_of(options.out, [](const std::string& path) {
+        const io::SphereFormat* format = io::sphere_format_of(path);
+        return format != nullptr && format->one_level;
+    });
 }
 bool has_number(const Options& options) {
     return options.number.has_value();
@@ -49,7 +52,7 @@ constexpr Needed needed[] = {
     {"collide", "--projected", "what a picture shows", has_picture, "add --out FILE.png"},
     {"simulate", "--strip", "what a still picture shows", has_picture, "add --out FILE.png"},
     {"simulate", "--plot", "what a still picture shows", has_picture, "add --out FILE.png"},
-    {"tree", "--level", "which level a .urdf file holds", has_urdf,
+    {"tree", "--level", "which level a .urdf file holds", has_one_level,
      "add --out FILE.urdf; --depth limits the levels of the tree"},
     {"lesson", "--out", "where the pictures of a lesson go", has_number,
      "name one, as in lodlab lesson 3"},

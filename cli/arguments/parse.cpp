@@ -10,6 +10,7 @@
 #include "cli/terminal/output.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/from_chars.hpp"
+#include "lodlab/io/sphere_files.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/spelling.hpp"
 
@@ -35,6 +36,13 @@ template <class Choice>
 CLI::Validator name_of_a() {
     const auto names = names_of(Choice{});
     return one_of({names.begin(), names.end()});
+}
+
+std::string sphere_endings() {
+    std::vector<std::string_view> endings;
+    for (const io::SphereFormat& format : io::sphere_formats())
+        endings.push_back(format.ending.substr(1));
+    return scenes::listed(endings);
 }
 
 /// The number that a word is in decimal digits. C's functions, and so CLI11, take 010 for eight,
@@ -115,6 +123,7 @@ const Row rows[] = {
     {"--strip", [](CLI::App& a, Options& o) { a.add_flag_callback("--strip", [&o] { o.picture = "strip"; }, "still pictures show start, collision and after (two bodies: the default)"); }},
     {"--plot", [](CLI::App& a, Options& o) { a.add_flag_callback("--plot", [&o] { o.picture = "plot"; }, "still pictures show energy and momentum over time"); }},
     {"--out", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "write a file, its format by its ending; may be given several times")->type_name("FILE")->expected(1)->take_all(); }},
+    {"--exported", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "write a file, its format by its ending, of spheres too (space): " + sphere_endings() + "; may be given several times")->type_name("FILE")->expected(1)->take_all(); }},
     {"--folder", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "folder of the pages")->type_name("FOLDER")->expected(1)->required(); }},
     {"--pictures", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "folder for the picture of each step")->type_name("FOLDER")->expected(1); }},
     {"--trace", [](CLI::App& a, Options& o) { a.add_option("--trace", o.trace, "save the run so that it can be played again")->type_name("FILE"); }},
@@ -206,7 +215,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 std::vector<std::string> flags_of(const Command& command) {
     std::vector<std::string> flags;
     for (const std::string& name : words_of(command.options)) {
-        if (name == "--folder" || name == "--pictures")
+        if (name == "--folder" || name == "--pictures" || name == "--exported")
             flags.emplace_back("--out");
         else if (name == "--exported-level")
             flags.emplace_back("--level");

@@ -8,7 +8,7 @@ constexpr Command table[] = {
     {"tree", "Build, check, measure, draw and export the circle or sphere tree of a shape",
      "lodlab tree gear:9 --depth 4 --out gear.png --json",
      "[SHAPE] --list --dim --size --fill --strokes --page --strict --builder --branching --depth --nodes --error --effort --exported-level "
-     "--out --no-cache --raise-limits --theme --quality --json", run_tree},
+     "--exported --no-cache --raise-limits --theme --quality --json", run_tree},
     {"collide", "One instant: intersecting nodes of each level, contacts, verdict",
      "lodlab collide offset_boxes --level 3 --out traversal.svg",
      "SCENE --at --level --projected --out --no-cache --raise-limits --theme --quality --json", run_collide},

@@ -10,8 +10,8 @@
 #include "cli/terminal/progress.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/sphere_files.hpp"
 #include "lodlab/io/tree_json.hpp"
-#include "lodlab/lod3d/solid/export_spheres.hpp"
 #include "lodlab/scenes/shapes.hpp"
 #include "lodlab/viz/draw/draw_tree.hpp"
 #include "lodlab/viz/draw/draw_turntable.hpp"
@@ -98,24 +98,25 @@ std::string report_of(const scenes::Shape<Dim>& shape, const std::string& builde
            " stand out of the shape; %: of its bounding diameter\n";
 }
 
+/// The level that a file of one level holds.
+int exported_level(const lod::SphereTree<3>& tree, const Options& options,
+                   const std::string& path) {
+    const int last = tree.levels() - 1;
+    if (options.level && *options.level > last)
+        remark("the tree ends at level " + std::to_string(last) + ", so " + path +
+               " holds that; --depth asks for more levels");
+    return std::min(options.level.value_or(last), last);
+}
+
 /// Spheres for other programs, in the frame of the mesh.
 void add_sphere_exports(const lod3d::Solid& solid, const lod::SphereTree<3>& tree,
                         const Options& options, std::vector<Export>& exports) {
-    exports.push_back({".spheres.json", [&](const std::string& path) {
-                           lod::write_text_file(path, lod3d::spheres_to_json(tree, solid.centroid));
-                       }});
-    exports.push_back({".sph", [&](const std::string& path) {
-                           lod::write_text_file(path, lod3d::spheres_to_sph(tree, solid.centroid));
-                       }});
-    exports.push_back({".urdf", [&](const std::string& path) {
-                           const int last = tree.levels() - 1;
-                           const int level = std::min(options.level.value_or(last), last);
-                           if (options.level && *options.level > last)
-                               remark("the tree ends at level " + std::to_string(last) + ", so " +
-                                      path + " holds that; --depth asks for more levels");
-                           lod::write_text_file(path, lod3d::spheres_to_urdf(tree, solid.centroid,
-                                                                             level, solid.name));
-                       }});
+    for (const io::SphereFormat& format : io::sphere_formats())
+        exports.push_back(
+            {std::string(format.ending), [&](const std::string& path) {
+                 const int level = format.one_level ? exported_level(tree, options, path) : 0;
+                 lod::write_text_file(path, format.text({tree, solid.centroid, level, solid.name}));
+             }});
 }
 void add_sphere_exports(const lod2d::Shape&, const lod::SphereTree<2>&, const Options&,
                         std::vector<Export>&) {}
@@ -175,7 +176,9 @@ void run_tree(const Options& options) {
                          "no shape given; name one, or lodlab tree --list shows what there is");
     const int dim = options.dim.value_or(scenes::dimension_of(options.shape));
     Formats formats{.video = dim == 3, .exports = {".json"}};
-    if (dim == 3) formats.exports = {".spheres.json", ".sph", ".urdf", ".json"};
+    if (dim == 3)
+        for (const io::SphereFormat& format : io::sphere_formats())
+            formats.exports.emplace_back(format.ending);
     check_outputs(options, formats);
     in_dimension(dim, [&](auto constant) { tree<constant()>(options); });
 }

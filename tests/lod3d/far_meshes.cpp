@@ -3,8 +3,8 @@
 #include <iomanip>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/sphere_files.hpp"
 #include "lodlab/lod3d/builder/build_tree.hpp"
-#include "lodlab/lod3d/solid/export_spheres.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/lod3d/source/load_mesh.hpp"
 #include "tests/catch.hpp"
@@ -164,7 +164,8 @@ TEST_CASE("exported spheres cover a mesh in the frame of its file, however far",
     settings.builder = Builder::octree;
     settings.depth = 2;
     const lod::SphereTree<3> tree = build_tree(solid, settings);
-    const std::string text = spheres_to_sph(tree, solid.centroid);
+    const std::string text =
+        io::sphere_format_of("far.sph")->text({tree, solid.centroid, 0, solid.name});
     std::istringstream in(text);
     int levels = 0;
     int branching = 0;

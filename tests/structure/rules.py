@@ -50,7 +50,7 @@ MAY_INCLUDE = {
     "lessons/course": ["core", "lod2d", "lod3d", "viz", "lessons/engine"],
     "lessons/book": ["core", "io", "lod2d", "lod3d", "viz", "lessons/embed", "lessons/engine"],
     "cli/terminal": ["core"],
-    "cli/arguments": ["core", "lod2d", "lod3d", "scenes", "viz", "cli/terminal"],
+    "cli/arguments": ["core", "io", "lod2d", "lod3d", "scenes", "viz", "cli/terminal"],
     "cli/stage": ["core", "lod2d", "lod3d", "scenes", "measure", "viz", "cli/terminal", "cli/arguments"],
     "cli/commands": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons", "cli/terminal", "cli/arguments", "cli/stage"],
     "cli": ["core", "cli"],
