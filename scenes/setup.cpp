@@ -6,6 +6,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/frame/broad_phase.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/scenes/places.hpp"
 
@@ -14,7 +15,7 @@ namespace {
 
 /// Shapes, borders and trees that were made already, by all that decides what they are.
 template <int Dim>
-struct Stock {
+struct ShapeCache {
     using SharedShape = std::shared_ptr<const Shape<Dim>>;
     using SharedTree = std::shared_ptr<const lod::SphereTree<Dim>>;
     using ShapeKey = std::tuple<std::string, std::optional<double>, bool, bool, bool, bool>;
@@ -48,7 +49,7 @@ std::string remark_on_source(const BodySpec& spec) {
 }
 
 template <int Dim>
-typename Stock<Dim>::ShapeKey key_of(const BodySpec& spec) {
+typename ShapeCache<Dim>::ShapeKey key_of(const BodySpec& spec) {
     return {spec.file.empty() ? spec.shape : spec.file.string(),
             spec.size,
             spec.fill,
@@ -58,10 +59,11 @@ typename Stock<Dim>::ShapeKey key_of(const BodySpec& spec) {
 }
 
 template <int Dim>
-typename Stock<Dim>::SharedShape shape_of(const BodySpec& spec, double raise_limits,
-                                          Stock<Dim>& stock, std::vector<std::string>& warnings) {
+typename ShapeCache<Dim>::SharedShape shape_of(const BodySpec& spec, double raise_limits,
+                                               ShapeCache<Dim>& made,
+                                               std::vector<std::string>& warnings) {
     const std::string name = spec.file.empty() ? spec.shape : spec.file.string();
-    auto& shape = stock.shapes[key_of<Dim>(spec)];
+    auto& shape = made.shapes[key_of<Dim>(spec)];
     if (!shape) {
         shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::named(
             name, {spec.size, spec.fill, raise_limits, spec.strokes, spec.strict, spec.page}));
@@ -79,12 +81,12 @@ TreeChoice tree_choice_of(const BodySpec& spec) {
 }
 
 template <int Dim>
-typename Stock<Dim>::SharedTree shared_tree(const BodySpec& spec, const Shape<Dim>& shape,
-                                            const io::TreeCache& cache,
-                                            const std::function<void(double)>& progress,
-                                            Stock<Dim>& stock) {
+typename ShapeCache<Dim>::SharedTree shared_tree(const BodySpec& spec, const Shape<Dim>& shape,
+                                                 const io::TreeCache& cache,
+                                                 const std::function<void(double)>& progress,
+                                                 ShapeCache<Dim>& made) {
     const TreeChoice choice = tree_choice_of(spec);
-    auto& tree = stock.trees[{&shape, choice}];
+    auto& tree = made.trees[{&shape, choice}];
     if (!tree) {
         auto settings = Shapes<Dim>::settings(choice);
         settings.progress = progress;
@@ -112,7 +114,7 @@ lod::Spin<Dim> spin_of(const Triple& triple) {
 
 template <int Dim>
 lod::Body<Dim> body_of(const BodySpec& spec, const Shape<Dim>& shape,
-                       typename Stock<Dim>::SharedTree tree) {
+                       typename ShapeCache<Dim>::SharedTree tree) {
     lod::Body<Dim> body;
     body.tree = std::move(tree);
     body.restitution = spec.restitution;
@@ -137,12 +139,13 @@ lod::Body<Dim> body_of(const BodySpec& spec, const Shape<Dim>& shape,
 /// be wrong with it is found before the first tree is built.
 template <int Dim>
 std::shared_ptr<const Shape<Dim>> loaded(const BodySpec& spec, double raise_limits,
-                                         Stock<Dim>& stock, std::vector<std::string>& warnings) {
+                                         ShapeCache<Dim>& made,
+                                         std::vector<std::string>& warnings) {
     if (spec.shape != half_space_name) {
         static_cast<void>(Shapes<Dim>::settings(tree_choice_of(spec)));
-        return shape_of(spec, raise_limits, stock, warnings);
+        return shape_of(spec, raise_limits, made, warnings);
     }
-    auto& shape = stock.shapes[key_of<Dim>(spec)];
+    auto& shape = made.shapes[key_of<Dim>(spec)];
     if (!shape) shape = std::make_shared<const Shape<Dim>>(Shapes<Dim>::half_space());
     return shape;
 }
@@ -150,14 +153,15 @@ std::shared_ptr<const Shape<Dim>> loaded(const BodySpec& spec, double raise_limi
 /// The tree and the body of one entry, whose shape is loaded.
 template <int Dim>
 void add_body(const BodySpec& spec, const SetupOptions& options,
-              const std::function<void(double)>& progress, Setup<Dim>& setup, Stock<Dim>& stock) {
+              const std::function<void(double)>& progress, Setup<Dim>& setup,
+              ShapeCache<Dim>& made) {
     const Shape<Dim>& shape = *setup.shapes[setup.bodies.size()];
-    typename Stock<Dim>::SharedTree tree =
+    typename ShapeCache<Dim>::SharedTree tree =
         spec.shape == half_space_name ? std::make_shared<const lod::SphereTree<Dim>>(
                                             lod::half_space<Dim>(lod::Vector<Dim>::Unit(1)))
-                                      : shared_tree(spec, shape, options.cache, progress, stock);
+                                      : shared_tree(spec, shape, options.cache, progress, made);
     setup.bodies.push_back(body_of<Dim>(spec, shape, std::move(tree)));
-    auto& exact = stock.exact[&shape];
+    auto& exact = made.exact[&shape];
     if (!exact) exact = Shapes<Dim>::exact_of(shape);
     setup.bodies.back().exact = exact;
 }
@@ -176,34 +180,24 @@ void at(const BodySpec& spec, const Work& work) {
     }
 }
 
-template <int Dim>
-bool roots_meet(const lod::Body<Dim>& a, const lod::Body<Dim>& b) {
-    if (a.tree->is_half_space() || b.tree->is_half_space()) return true;
-    const lod::Sphere<Dim> root_a = a.tree->sphere(0);
-    const lod::Sphere<Dim> root_b = b.tree->sphere(0);
-    // Turning moves a centre within its distance from the centre of mass.
-    const double reach =
-        root_a.radius + root_a.centre.norm() + root_b.radius + root_b.centre.norm();
-    return (b.position - a.position).norm() <= reach;
-}
-
 /// A line for every two bodies, not both static, whose shapes share a point at the start.
 template <int Dim>
-void warn_of_overlaps(Setup<Dim>& setup, Stock<Dim>& stock) {
-    for (std::size_t a = 0; a < setup.bodies.size(); ++a) {
+void warn_of_overlaps(Setup<Dim>& setup, ShapeCache<Dim>& made) {
+    std::vector<lod::PosedTree<Dim>> world_S(setup.bodies.size());
+    for (std::size_t i = 0; i < world_S.size(); ++i) world_S[i].pose(setup.bodies[i]);
+    std::vector<lod::CandidatePair> candidates;
+    lod::BroadPhase<Dim>().find(setup.bodies, world_S, candidates);
+    for (const lod::CandidatePair& pair : candidates) {
         lod::check_interrupted();
-        for (std::size_t b = a + 1; b < setup.bodies.size(); ++b) {
-            const lod::Body<Dim>& body_a = setup.bodies[a];
-            const lod::Body<Dim>& body_b = setup.bodies[b];
-            if ((body_a.is_static() && body_b.is_static()) || !roots_meet(body_a, body_b)) continue;
-            if (!Shapes<Dim>::touch(stock.border_of(*setup.shapes[a]), body_a,
-                                    stock.border_of(*setup.shapes[b]), body_b))
-                continue;
-            setup.warnings.push_back(
-                setup.scene.bodies[b].where + ": bodies " + setup.scene.bodies[a].name + " and " +
-                setup.scene.bodies[b].name +
-                " touch or overlap at the start; move one of them if that is not meant");
-        }
+        const auto a = static_cast<std::size_t>(pair.a);
+        const auto b = static_cast<std::size_t>(pair.b);
+        if (!Shapes<Dim>::touch(made.border_of(*setup.shapes[a]), setup.bodies[a],
+                                made.border_of(*setup.shapes[b]), setup.bodies[b]))
+            continue;
+        setup.warnings.push_back(
+            setup.scene.bodies[b].where + ": bodies " + setup.scene.bodies[a].name + " and " +
+            setup.scene.bodies[b].name +
+            " touch or overlap at the start; move one of them if that is not meant");
     }
 }
 
@@ -213,20 +207,20 @@ template <int Dim>
 Setup<Dim> set_up(const Scene& scene, const SetupOptions& options) {
     Setup<Dim> setup;
     setup.scene = scene;
-    Stock<Dim> stock;
+    ShapeCache<Dim> made;
     const auto count = static_cast<double>(scene.bodies.size());
     for (const BodySpec& spec : scene.bodies)
         at(spec, [&] {
-            setup.shapes.push_back(loaded(spec, options.raise_limits, stock, setup.warnings));
+            setup.shapes.push_back(loaded(spec, options.raise_limits, made, setup.warnings));
         });
     for (const BodySpec& spec : scene.bodies) {
         const auto done = static_cast<double>(setup.bodies.size());
         const auto progress = [&](double share) {
             if (options.progress) options.progress((done + share) / count);
         };
-        at(spec, [&] { add_body(spec, options, progress, setup, stock); });
+        at(spec, [&] { add_body(spec, options, progress, setup, made); });
     }
-    warn_of_overlaps(setup, stock);
+    warn_of_overlaps(setup, made);
     return setup;
 }
 

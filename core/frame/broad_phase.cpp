@@ -1,11 +1,19 @@
 #include "lodlab/core/frame/broad_phase.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "lodlab/core/base/refill.hpp"
 
 namespace lod {
+namespace {
+
+/// Shifts a body beyond which sorting anew is cheaper than insertion: about what std::sort compares
+/// a body among some thousands, 2 log2 n.
+constexpr std::uint64_t most_shifts = 24;
+
+}  // namespace
 
 template <int Dim>
 void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
@@ -15,7 +23,9 @@ void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
         order_.resize(bodies.size());
         std::iota(order_.begin(), order_.end(), 0);
         boxes_.resize(bodies.size());
+        in_order_ = false;
     }
+    steps_ = 0;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const Sphere<Dim> root = world_S[i].sphere(0);
         // Two units of rounding for the sum itself.
@@ -29,35 +39,51 @@ void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
         half_spaces_.push_back(static_cast<std::int32_t>(i));
         boxes_[i] = Box<Dim>();  // meets no other, and lies behind all along every axis
     }
-    sort_along_first_axis();
-    deal_into_rows(bodies);
+    Box<Dim> all;
+    for (const Box<Dim>& box : boxes_)
+        if (!box.is_empty()) all.hold(box);
+    choose_axes(all);
+    sort_along_sweep();
+    deal_into_rows(bodies, all);
     pairs.clear();
     for (std::size_t row = 0; row < rows_.count; ++row) sweep(row, pairs);
     for (const std::int32_t wall : half_spaces_) add_pairs(wall, bodies, world_S, pairs);
     sort_pairs(bodies.size(), pairs);
 }
 
-/// Every box into all rows that it reaches, those of a row in the order along the first axis.
+/// The widest for the sweep, the next for the rows; of equal ones the lower.
 template <int Dim>
-void BroadPhase<Dim>::deal_into_rows(std::span<const Body<Dim>> bodies) {
-    Box<Dim> all;
+void BroadPhase<Dim>::choose_axes(const Box<Dim>& all) {
+    const Vector<Dim> size = all.is_empty() ? Vector<Dim>(Vector<Dim>::Zero()) : all.size();
+    const int before = along_;
+    std::array<int, Dim> axes;
+    std::iota(axes.begin(), axes.end(), 0);
+    std::ranges::sort(
+        axes, [&](int i, int k) { return size[i] > size[k] || (size[i] == size[k] && i < k); });
+    along_ = axes[0];
+    across_ = axes[1];
+    if (along_ != before) in_order_ = false;
+}
+
+/// Every box into all rows that it reaches, those of a row in the order along the sweep.
+template <int Dim>
+void BroadPhase<Dim>::deal_into_rows(std::span<const Body<Dim>> bodies, const Box<Dim>& all) {
     double heights = 0;
     std::size_t count = 0;
     for (const Box<Dim>& box : boxes_) {
         if (box.is_empty()) continue;
-        all.hold(box);
-        heights += box.size()[1];
+        heights += box.size()[across_];
         ++count;
     }
-    const double extent = count > 0 ? all.size()[1] : 0;
+    const double extent = count > 0 ? all.size()[across_] : 0;
     const double wanted = heights > 0 ? extent * static_cast<double>(count) / (2 * heights) : 1;
     rows_.count = static_cast<std::size_t>(std::clamp(wanted, 1.0, most_rows));
-    rows_.low = all.low[1];
+    rows_.low = all.low[across_];
     rows_.height = extent / static_cast<double>(rows_.count);
     refill(row_begin_, rows_.count + 2, 0);
     for (const Box<Dim>& box : boxes_)
-        for (std::size_t row = rows_.of(box.low[1]);
-             !box.is_empty() && row <= rows_.of(box.high[1]); ++row)
+        for (std::size_t row = rows_.of(box.low[across_]);
+             !box.is_empty() && row <= rows_.of(box.high[across_]); ++row)
             ++row_begin_[row + 2];
     std::partial_sum(row_begin_.begin(), row_begin_.end(), row_begin_.begin());
     entries_.resize(static_cast<std::size_t>(row_begin_.back()));
@@ -65,40 +91,58 @@ void BroadPhase<Dim>::deal_into_rows(std::span<const Body<Dim>> bodies) {
         const Box<Dim>& box = boxes_[static_cast<std::size_t>(body)];
         const Entry entry{box, body, bodies[static_cast<std::size_t>(body)].is_static()};
         if (box.is_empty()) continue;
-        for (std::size_t row = rows_.of(box.low[1]); row <= rows_.of(box.high[1]); ++row)
+        for (std::size_t row = rows_.of(box.low[across_]); row <= rows_.of(box.high[across_]);
+             ++row)
             entries_[static_cast<std::size_t>(row_begin_[row + 1]++)] = entry;
     }
 }
 
-/// Sweeps one row along the first axis. A pair that shares several rows counts in the first.
+/// Sweeps one row. A pair that shares several rows counts in the first.
 template <int Dim>
-void BroadPhase<Dim>::sweep(std::size_t row, std::vector<CandidatePair>& pairs) const {
+void BroadPhase<Dim>::sweep(std::size_t row, std::vector<CandidatePair>& pairs) {
     const auto end = static_cast<std::size_t>(row_begin_[row + 1]);
     for (auto i = static_cast<std::size_t>(row_begin_[row]); i < end; ++i) {
         const Entry& a = entries_[i];
         for (std::size_t k = i + 1; k < end; ++k) {
             const Entry& b = entries_[k];
-            if (b.box.low[0] > a.box.high[0]) break;
+            ++steps_;
+            if (b.box.low[along_] > a.box.high[along_]) break;
             if ((a.is_static && b.is_static) || !a.box.meets(b.box)) continue;
-            if (rows_.of(std::max(a.box.low[1], b.box.low[1])) == row)
+            if (rows_.of(std::max(a.box.low[across_], b.box.low[across_])) == row)
                 pairs.push_back({std::min(a.body, b.body), std::max(a.body, b.body)});
         }
     }
 }
 
-/// Insertion sort: nearly linear on an order that is nearly right already.
 template <int Dim>
-void BroadPhase<Dim>::sort_along_first_axis() {
+void BroadPhase<Dim>::sort_along_sweep() {
+    if (!in_order_ || !insert_in_order())
+        std::ranges::sort(order_, [&](std::int32_t a, std::int32_t b) {
+            const double low_a = boxes_[static_cast<std::size_t>(a)].low[along_];
+            const double low_b = boxes_[static_cast<std::size_t>(b)].low[along_];
+            return low_a < low_b || (low_a == low_b && a < b);
+        });
+    in_order_ = true;
+}
+
+/// Insertion sort: nearly linear on an order that is nearly right already. Returns false where it
+/// gave up, because the order is far from right.
+template <int Dim>
+bool BroadPhase<Dim>::insert_in_order() {
     const auto low = [&](std::int32_t body) {
-        return boxes_[static_cast<std::size_t>(body)].low[0];
+        return boxes_[static_cast<std::size_t>(body)].low[along_];
     };
+    const std::uint64_t most_steps = steps_ + most_shifts * order_.size();
     for (std::size_t i = 1; i < order_.size(); ++i) {
         const std::int32_t body = order_[i];
         std::size_t place = i;
         for (; place > 0 && low(body) < low(order_[place - 1]); --place)
             order_[place] = order_[place - 1];
         order_[place] = body;
+        steps_ += i - place;
+        if (steps_ > most_steps) return false;
     }
+    return true;
 }
 
 /// By counting those of each first body.

@@ -93,3 +93,31 @@ TEMPLATE_TEST_CASE_SIG("bodies that only touch are candidates, static pairs are 
     broad_phase.find(bodies, posed(bodies), pairs);
     CHECK(pairs == std::vector<CandidatePair>{{1, 2}});
 }
+
+TEMPLATE_TEST_CASE_SIG("rows and sheets of bodies cost linear time along every axis",
+                       "[broad_phase]", ((int Dim), Dim), 2, 3) {
+    const int axis = GENERATE(range(0, Dim));
+    const bool is_sheet = GENERATE(false, true);
+    for (const int count : {1024, 2048, 4096}) {
+        Random random(35);
+        const int side = is_sheet ? static_cast<int>(std::sqrt(count)) : count;
+        std::vector<Body<Dim>> bodies;
+        for (int i = 0; i < count; ++i) {
+            bodies.push_back(disc<Dim>(1, 0.4, {0, 0}));
+            bodies.back().position = Vector<Dim>::Zero();
+            bodies.back().position[axis] = i % side;
+            bodies.back().position[(axis + 1) % Dim] = i / side;  // NOLINT: whole rows
+        }
+        for (std::size_t i = bodies.size() - 1; i > 0; --i)  // in no order
+            std::swap(bodies[i],
+                      bodies[static_cast<std::size_t>(random.below(static_cast<int>(i) + 1))]);
+        BroadPhase<Dim> broad_phase;
+        std::vector<CandidatePair> pairs;
+        broad_phase.find(bodies, posed(bodies), pairs);
+        CHECK(pairs.empty());
+        CHECK(broad_phase.steps() <= 8 * bodies.size());
+        std::ranges::reverse(bodies);  // as far from the order of before as it gets
+        broad_phase.find(bodies, posed(bodies), pairs);
+        CHECK(broad_phase.steps() <= 40 * bodies.size());
+    }
+}
