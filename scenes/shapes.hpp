@@ -56,7 +56,7 @@ struct TreeChoice {
 void check_effort(const TreeChoice& choice, bool has_effort);
 
 /// What a dimension calls its things, for reports.
-struct Words {
+struct Vocabulary {
     std::string_view measure;       ///< "area"
     std::string_view measure_unit;  ///< "m^2"
     std::string_view moment_unit;   ///< "m^4": of the second moment of the measure
@@ -77,7 +77,7 @@ struct PlaneShapes {
     using Settings = lod2d::TreeSettings;
     using Border = lod2d::BoundaryIndex;
 
-    static constexpr Words words{"area", "m^2", "m^4", "circles", "svg, svgz"};
+    static constexpr Vocabulary words{"area", "m^2", "m^4", "circles", "svg, svgz"};
 
     /// A drawing, "text:R" or a generator. Throws lod::Error as lod2d::load_shape does, and for a
     /// mesh.
@@ -119,7 +119,7 @@ struct SpaceShapes {
         std::vector<lod3d::Point> of_parts;  ///< a point of each connected part, body frame
     };
 
-    static constexpr Words words{"volume", "m^3", "m^5", "spheres",
+    static constexpr Vocabulary words{"volume", "m^3", "m^5", "spheres",
                                  "obj, ply, stl, off, 3ds, gltf, glb"};
 
     /// A mesh file or a generator. Throws lod::Error as lod3d::load_mesh, lod3d::make_solid and

@@ -12,7 +12,7 @@ namespace {
 
 /// At most Dim + 2 points: a basis and the newcomer.
 template <int Dim>
-struct Few {
+struct SupportSet {
     std::array<Vector<Dim>, Dim + 2> point;
     int count = 0;
 };
@@ -20,13 +20,13 @@ struct Few {
 /// The least ball with the points of the subset (bits of `chosen`) on its surface; nothing where
 /// they are affinely dependent.
 template <int Dim>
-std::optional<Sphere<Dim>> ball_through(const Few<Dim>& few, unsigned chosen) {
+std::optional<Sphere<Dim>> ball_through(const SupportSet<Dim>& support, unsigned chosen) {
     std::array<Vector<Dim>, Dim> arms;
     int count = -1;
     Sphere<Dim> ball;
-    for (int i = 0; i < few.count; ++i) {
+    for (int i = 0; i < support.count; ++i) {
         if ((chosen >> i & 1U) == 0) continue;
-        const Vector<Dim>& p = few.point[static_cast<std::size_t>(i)];
+        const Vector<Dim>& p = support.point[static_cast<std::size_t>(i)];
         if (count < 0)
             ball.centre = p;
         else
@@ -41,32 +41,32 @@ std::optional<Sphere<Dim>> ball_through(const Few<Dim>& few, unsigned chosen) {
     return ball;
 }
 
-/// The least of the balls through a subset that hold all the few points; keeps that subset.
+/// The least of the balls through a subset that hold all points of the set; keeps that subset.
 template <int Dim>
-std::optional<Sphere<Dim>> best_subset(Few<Dim>& few) {
+std::optional<Sphere<Dim>> best_subset(SupportSet<Dim>& support) {
     std::optional<Sphere<Dim>> best;
     unsigned best_chosen = 0;
-    const unsigned newcomer = 1U << (few.count - 1);
+    const unsigned newcomer = 1U << (support.count - 1);
     for (unsigned chosen = newcomer; chosen < 2 * newcomer; ++chosen) {
         if (__builtin_popcount(chosen) > Dim + 1) continue;
-        auto ball = ball_through<Dim>(few, chosen);
+        auto ball = ball_through<Dim>(support, chosen);
         if (!ball || !ball->centre.allFinite()) continue;
         double farthest = 0;
-        for (int i = 0; i < few.count; ++i)
-            farthest =
-                std::max(farthest, (few.point[static_cast<std::size_t>(i)] - ball->centre).norm());
+        for (int i = 0; i < support.count; ++i)
+            farthest = std::max(farthest,
+                                (support.point[static_cast<std::size_t>(i)] - ball->centre).norm());
         if (farthest > ball->radius * (1 + 1e-13) || (best && farthest >= best->radius)) continue;
         ball->radius = farthest;
         best = ball;
         best_chosen = chosen;
     }
     if (!best) return std::nullopt;
-    Few<Dim> kept;
-    for (int i = 0; i < few.count; ++i)
+    SupportSet<Dim> kept;
+    for (int i = 0; i < support.count; ++i)
         if (best_chosen >> i & 1U)
             kept.point[static_cast<std::size_t>(kept.count++)] =
-                few.point[static_cast<std::size_t>(i)];
-    few = kept;
+                support.point[static_cast<std::size_t>(i)];
+    support = kept;
     return best;
 }
 
@@ -84,7 +84,7 @@ Sphere<Dim> enclosing_ball(std::span<const Vector<Dim>> points) {
     if (points.empty()) return {};
     constexpr int most_rounds = 1000;  // each round's ball is larger; 30 were the most seen
     Sphere<Dim> ball{points[0], 0};
-    Few<Dim> basis;
+    SupportSet<Dim> basis;
     basis.point[0] = points[0];
     basis.count = 1;
     for (int round = 0; round < most_rounds; ++round) {
