@@ -1,16 +1,22 @@
+#include <atomic>
 #include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 
 #include "cli/arguments/parse.hpp"
+#include "cli/exit_code.hpp"
 #include "cli/terminal/output.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 
 namespace {
 
+std::atomic<int> stop_signal{0};  ///< 0 while none asked to stop
+
 void stop(int signal) {
-    lod::stop_signal.store(signal, std::memory_order_relaxed);
+    stop_signal = signal;
+    lod::stop_requested = true;
 }
 
 /// Whether a signal ends a process that does nothing about it, and may: not those that say that the
@@ -68,23 +74,23 @@ int main(int argc, char** argv) {
             parsed.command->run(parsed.options);
         else
             cli::print(parsed.text);
-        return 0;
+        return cli::done_code;
     } catch (const lod::Error& error) {
-        if (lod::stop_signal == SIGPIPE) return 128 + SIGPIPE;  // nobody reads on
-        return failed(error.what(), static_cast<int>(error.kind()));
-    } catch (const lod::Interrupted& interrupted) {
+        if (stop_signal == SIGPIPE) return cli::signal_code(SIGPIPE);  // nobody reads on
+        return failed(error.what(), cli::exit_code(error.kind()));
+    } catch (const lod::Interrupted&) {
         return failed("stopped by a signal; no file was left half-written",
-                      128 + interrupted.signal());
+                      cli::signal_code(stop_signal));
     } catch (const std::bad_alloc&) {
         return failed("out of memory; use a smaller scene or a shallower tree",
-                      static_cast<int>(lod::ErrorKind::limit_exceeded));
+                      cli::exit_code(lod::ErrorKind::limit_exceeded));
     } catch (const std::filesystem::filesystem_error& error) {
         return failed("cannot use " + error.path1().string() + ": " + error.code().message() +
                           "; check the name",
-                      static_cast<int>(lod::ErrorKind::input_refused));
+                      cli::exit_code(lod::ErrorKind::input_refused));
     } catch (const std::exception& error) {
         return failed(std::string("internal error: ") + error.what() +
                           "; please report it with the command line",
-                      1);
+                      cli::internal_error_code);
     }
 }

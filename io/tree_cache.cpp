@@ -6,7 +6,8 @@
 #include <system_error>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/io/tree_json.hpp"
 

@@ -7,7 +7,8 @@
 #include <utility>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 
 namespace io {
 namespace {

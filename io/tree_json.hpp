@@ -36,7 +36,7 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] lod::SphereTree<Dim> tree_from_json(std::string_view text, const std::string& source);
 
-/// Complete or absent (core/base/output_file.hpp). Throws lod::Error (output failed).
+/// Complete or absent (io/files/output_file.hpp). Throws lod::Error (output failed).
 template <int Dim>
 void save_tree(const std::filesystem::path& path, const lod::SphereTree<Dim>& tree);
 

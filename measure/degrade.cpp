@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/exact/exact_shape.hpp"
 #include "lodlab/measure/first_impact.hpp"
 #include "lodlab/measure/free_flight.hpp"

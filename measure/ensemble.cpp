@@ -4,6 +4,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/random.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/response/impact.hpp"
 #include "lodlab/measure/exact_shapes.hpp"
 #include "lodlab/measure/free_flight.hpp"

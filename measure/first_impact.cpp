@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/exact/time_of_impact.hpp"
 #include "lodlab/core/math/trigonometry.hpp"
 

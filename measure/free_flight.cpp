@@ -4,7 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/exact/exact_shape.hpp"
 #include "lodlab/core/frame/integrate.hpp"
 

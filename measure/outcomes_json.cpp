@@ -1,7 +1,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/whole_number.hpp"
 #include "lodlab/measure/curves.hpp"
 #include "lodlab/scenes/scene.hpp"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/files/ending.hpp"
 #include "lodlab/lod3d/source/import_limits.hpp"
 #include "lodlab/scenes/spelling.hpp"
 

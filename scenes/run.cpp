@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
 
 namespace scenes {

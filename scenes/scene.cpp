@@ -5,7 +5,7 @@
 #include <set>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/scenes/keys.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/spelling.hpp"

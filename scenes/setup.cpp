@@ -5,8 +5,9 @@
 #include <tuple>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/frame/broad_phase.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/scenes/places.hpp"
 

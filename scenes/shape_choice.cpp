@@ -1,5 +1,5 @@
-#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/files/ending.hpp"
 #include "lodlab/lod2d/source/load.hpp"
 #include "lodlab/scenes/shapes.hpp"
 

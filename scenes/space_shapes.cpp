@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/files/ending.hpp"
 #include "lodlab/lod2d/source/load.hpp"
 #include "lodlab/lod3d/builder/tree_report.hpp"
 #include "lodlab/lod3d/mesh/intersect.hpp"

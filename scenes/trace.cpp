@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/exact/exact_shape.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
 #include "lodlab/core/math/bit_hash.hpp"
+#include "lodlab/io/files/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/whole_number.hpp"
 
 namespace scenes {

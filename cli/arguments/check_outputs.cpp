@@ -7,7 +7,7 @@
 
 #include "cli/arguments/named_files.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/output_file.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/spelling.hpp"

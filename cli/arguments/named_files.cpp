@@ -8,9 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/ending.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/lod2d/source/load.hpp"
 #include "lodlab/lod2d/source/svg/source.hpp"
 #include "lodlab/lod3d/source/binary_number.hpp"

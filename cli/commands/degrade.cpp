@@ -11,7 +11,7 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/output_file.hpp"
 #include "lodlab/measure/curves.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/spelling.hpp"

@@ -9,7 +9,7 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/output_file.hpp"
 #include "lodlab/io/sphere_files.hpp"
 #include "lodlab/io/tree_json.hpp"
 #include "lodlab/scenes/shapes.hpp"

@@ -5,8 +5,8 @@
 
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
-#include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/base/stop.hpp"
+#include "lodlab/io/files/output_file.hpp"
 #include "lodlab/scenes/spelling.hpp"
 #include "lodlab/viz/film/write.hpp"
 #include "lodlab/viz/paint/write.hpp"

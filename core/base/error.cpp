@@ -5,8 +5,6 @@
 
 namespace lod {
 
-std::atomic<int> stop_signal{0};
-
 namespace {
 
 std::string without_controls(std::string line) {
@@ -36,10 +34,6 @@ void refuse_choice(std::string_view what, std::string_view name,
         line += names[i];
     }
     throw Error(ErrorKind::usage, line);
-}
-
-void check_interrupted() {
-    if (const int signal = stop_signal.load(std::memory_order_relaxed)) throw Interrupted(signal);
 }
 
 }  // namespace lod

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -8,13 +7,14 @@
 
 namespace lod {
 
-/// Why something could not be done; the program's exit code.
+/// Why something could not be done. What a program makes of it (a message, an exit code) is the
+/// program's affair.
 enum class ErrorKind {
-    usage = 2,
-    input_refused = 3,
-    output_failed = 4,
-    limit_exceeded = 5,
-    not_installed = 6,
+    usage,           ///< the call asks for what there is not
+    input_refused,   ///< what was read is not what it should be
+    output_failed,   ///< what was made could not be written
+    limit_exceeded,  ///< it would take more than is granted
+    not_installed,   ///< something of the machine is missing
 };
 
 /// The one exception of lodlab. what() is one line: what, where, why, and the mend. Whatever a file
@@ -34,21 +34,5 @@ class Error : public std::runtime_error {
 /// Throws Error, usage: no WHAT is called NAME; choose one of these.
 [[noreturn]] void refuse_choice(std::string_view what, std::string_view name,
                                 std::span<const std::string_view> names);
-
-/// Thrown by check_interrupted() when a signal asked the program to stop.
-class Interrupted : public std::runtime_error {
-  public:
-    explicit Interrupted(int signal) : std::runtime_error("interrupted"), signal_(signal) {}
-    [[nodiscard]] int signal() const { return signal_; }
-
-  private:
-    int signal_;
-};
-
-/// Set by a signal handler (async-signal-safe); 0 while nothing asked to stop.
-extern std::atomic<int> stop_signal;
-
-/// Throws Interrupted when stop_signal is set. Long loops call it once a round.
-void check_interrupted();
 
 }  // namespace lod

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/builder/piece.hpp"
 #include "lodlab/core/math/enclosing_ball.hpp"
 #include "lodlab/core/tree/tree.hpp"

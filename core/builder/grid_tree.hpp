@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/builder/grow.hpp"
 
 namespace lod {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/builder/protrusion.hpp"
 #include "lodlab/core/math/box.hpp"
 #include "lodlab/core/tree/hull.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/builder/hollows.hpp"
 #include "lodlab/core/builder/piece.hpp"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/math/sphere.hpp"
 
 namespace lod {

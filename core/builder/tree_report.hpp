@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/builder/certify.hpp"
 #include "lodlab/core/builder/node_hulls.hpp"
 #include "lodlab/core/builder/protrusion.hpp"

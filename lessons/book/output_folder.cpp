@@ -11,8 +11,9 @@
 #include <system_error>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
-#include "lodlab/core/base/output_part.hpp"
+#include "lodlab/io/files/output_file.hpp"
+#include "lodlab/io/files/output_part.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/sha256.hpp"
 
 namespace lessons {

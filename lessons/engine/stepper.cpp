@@ -10,7 +10,8 @@
 #include "lessons/engine/plain.hpp"
 #include "lessons/engine/viewer.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/base/stop.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/viz/paint/write.hpp"
 
 namespace lessons {

@@ -11,7 +11,7 @@
 #include <sstream>
 #include <vector>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 
 extern char** environ;
 

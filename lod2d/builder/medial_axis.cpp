@@ -7,7 +7,7 @@
 #include <boost/version.hpp>
 #include <cmath>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/shape/orientation.hpp"
 
 namespace lod2d {

@@ -4,7 +4,7 @@
 #include <map>
 #include <span>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 
 namespace lod2d {
 namespace {

@@ -1,7 +1,7 @@
 #include "lodlab/lod2d/source/load.hpp"
 
-#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/files/ending.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/lod2d/source/font.hpp"
 #include "lodlab/lod2d/source/svg.hpp"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/lod2d/source/resolve/resolve.hpp"
 #include "lodlab/lod2d/source/svg/plain.hpp"
 #include "lodlab/lod2d/source/svg/regions.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/math/box_tree.hpp"
 #include "lodlab/lod3d/builder/directions.hpp"
 #include "lodlab/lod3d/builder/piece.hpp"

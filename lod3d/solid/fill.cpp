@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod3d/mesh/distance.hpp"
 
 namespace lod3d {

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod3d/mesh/intersect.hpp"
 #include "lodlab/lod3d/mesh/mesh_faults.hpp"
 #include "lodlab/lod3d/solid/fill.hpp"

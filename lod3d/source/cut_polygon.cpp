@@ -5,6 +5,7 @@
 #include <string>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 
 namespace lod3d {
 namespace {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod3d/source/binary_number.hpp"
 #include "lodlab/lod3d/source/import_scene.hpp"
 #include "lodlab/lod3d/source/text_words.hpp"

@@ -23,6 +23,7 @@
 #include <sstream>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 
 namespace lod3d {
 namespace {

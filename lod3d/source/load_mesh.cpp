@@ -3,8 +3,8 @@
 #include <array>
 #include <fstream>
 
-#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/files/ending.hpp"
 #include "lodlab/lod3d/mesh/mesh_faults.hpp"
 #include "lodlab/lod3d/source/import_scene.hpp"
 #include "lodlab/lod3d/source/text_words.hpp"

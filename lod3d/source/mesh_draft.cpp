@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod3d/mesh/mesh_faults.hpp"
 #include "lodlab/lod3d/source/cut_polygon.hpp"
 #include "lodlab/lod3d/source/text_words.hpp"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod3d/source/text_words.hpp"
 
 namespace lod3d {

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod3d/source/mesh_draft.hpp"
 #include "lodlab/lod3d/source/text_words.hpp"
 

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/math/trigonometry.hpp"
 
 namespace lod2d {

@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/cli/program.hpp"
 

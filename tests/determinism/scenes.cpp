@@ -7,7 +7,7 @@
 #include <string>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/run.hpp"
 #include "lodlab/scenes/setup.hpp"

@@ -4,9 +4,9 @@
 #include <fstream>
 #include <vector>
 
-#include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/io/tree_json.hpp"
 #include "tests/catch.hpp"
@@ -133,11 +133,11 @@ TEST_CASE("a building that a signal stops leaves nothing behind") {
     const io::TreeCache cache(folder.path());
     CHECK_THROWS_AS(cache.tree<2>("key",
                                   []() -> lod::SphereTree<2> {
-                                      lod::stop_signal = 2;
+                                      lod::stop_requested = true;
                                       lod::check_interrupted();
                                       return sample<2>();
                                   }),
                     lod::Interrupted);
-    lod::stop_signal = 0;
+    lod::stop_requested = false;
     CHECK(files_in(folder.path()).empty());
 }

@@ -4,9 +4,9 @@
 #include <cstdlib>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
+#include "lodlab/io/files/output_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/random.hpp"
 

@@ -9,6 +9,7 @@
 #include "lessons/book/page.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "tests/catch.hpp"
 #include "tests/lessons/scratch.hpp"
 
@@ -147,10 +148,10 @@ TEST_CASE("a book that is stopped leaves nothing behind", "[lessons]") {
     options.progress = [&](const BookProgress& progress) {
         CHECK(progress.share > 0);
         CHECK(progress.share <= 1);
-        if (++pictures == 3) lod::stop_signal = 2;
+        if (++pictures == 3) lod::stop_requested = true;
     };
     CHECK_THROWS_AS(write_book(folder.path() / "book", options), lod::Interrupted);
-    lod::stop_signal = 0;
+    lod::stop_requested = false;
     CHECK(entries_in(folder.path()) == 0);
 }
 

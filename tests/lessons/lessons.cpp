@@ -5,7 +5,7 @@
 
 #include "lessons/embed/source.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/viz/figure/check.hpp"
 #include "tests/catch.hpp"
 #include "tests/sanitized.hpp"

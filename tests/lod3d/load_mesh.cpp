@@ -1,6 +1,7 @@
 #include "lodlab/lod3d/source/load_mesh.hpp"
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
@@ -156,7 +157,7 @@ TEST_CASE("a stop signal ends the reading of a mesh", "[load]") {
     for (int i = 0; i < 200000; ++i) big += "v " + std::to_string(i) + " 1 2\n";
     for (int i = 0; i < 200000; ++i) big += "f 1 2 3\n";
     const fs::path path = folder.write("big.obj", big);
-    lod::stop_signal = 2;
+    lod::stop_requested = true;
     CHECK_THROWS_AS(static_cast<void>(load_mesh(path)), lod::Interrupted);
-    lod::stop_signal = 0;
+    lod::stop_requested = false;
 }

@@ -1,6 +1,7 @@
 #include "lodlab/scenes/run.hpp"
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/worlds.hpp"
@@ -117,9 +118,9 @@ TEST_CASE("a run cut by the clock is played again to the same bits by its cuts")
 }
 
 TEST_CASE("a run stops at a signal") {
-    lod::stop_signal = 2;
+    lod::stop_requested = true;
     CHECK_THROWS_AS(scenes::run(crossing(), for_frames(10)), lod::Interrupted);
-    lod::stop_signal = 0;
+    lod::stop_requested = false;
 }
 
 TEST_CASE("a body that leaves the range of numbers ends the run with the mend") {

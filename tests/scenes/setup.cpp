@@ -1,8 +1,8 @@
 #include "lodlab/scenes/setup.hpp"
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/core/exact/exact_shape.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "tests/catch.hpp"
 

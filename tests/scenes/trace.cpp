@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/core/exact/ball_union.hpp"
+#include "lodlab/io/files/read_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/scenes/worlds.hpp"
 

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/viz/figure/json.hpp"
 #include "lodlab/viz/paint/canvas/document.hpp"
 #include "lodlab/viz/paint/paint.hpp"
 #include "lodlab/viz/paint/write.hpp"
@@ -182,7 +181,7 @@ TEST_CASE("words that are no UTF-8, or markup, are shown and do no harm", "[pict
     const Scratch folder;
     write_svg(folder / "f.svg", figure);
     write_png(folder / "f.png", figure);
-    write_json(folder / "f.json", figure);
+    write_figure(folder / "f.json", figure);
     write_pdf(folder / "f.pdf", figure);
     CHECK(bytes_of(folder / "f.png").size() > 1000);
 }

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/viz/film/write.hpp"
 #include "tests/catch.hpp"
 #include "tests/viz/scratch.hpp"
@@ -184,11 +185,11 @@ TEST_CASE("an interrupted video leaves nothing behind", "[video]") {
         INFO(ending);
         WriteOptions options;
         options.progress = [](const Progress& progress) {
-            if (progress.done == 5) lod::stop_signal = SIGINT;
+            if (progress.done == 5) lod::stop_requested = true;
         };
         CHECK_THROWS_AS(write_animation(folder / ("v." + ending), crossing(), options),
                         lod::Interrupted);
-        lod::stop_signal = 0;
+        lod::stop_requested = false;
         CHECK(folder.is_empty());
     }
 }

@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "lodlab/core/base/output_file.hpp"
 #include "lodlab/viz/figure/check.hpp"
 #include "lodlab/viz/figure/json.hpp"
 
@@ -144,7 +143,7 @@ ordered_json data(const Panel& panel, Meshes& meshes) {
 
 }  // namespace
 
-void write_json(const std::filesystem::path& path, const Figure& figure) {
+std::string json_text(const Figure& figure) {
     check_figure(figure);
     ordered_json json;
     json["lodlab"] = "figure";
@@ -161,8 +160,7 @@ void write_json(const std::filesystem::path& path, const Figure& figure) {
     Meshes meshes;
     for (const Panel& panel : figure.panels) json["panels"].push_back(data(panel, meshes));
     for (const auto& mesh : meshes) json["meshes"].push_back(data(*mesh));
-    lod::write_text_file(path,
-                         json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n");
+    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace viz

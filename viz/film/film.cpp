@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 
 namespace viz {
 namespace {

@@ -18,9 +18,10 @@ extern "C" {
 #include <memory>
 #include <type_traits>
 
-#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/core/base/stop.hpp"
+#include "lodlab/io/files/ending.hpp"
+#include "lodlab/io/files/output_file.hpp"
 #include "lodlab/viz/film/film.hpp"
 #include "lodlab/viz/film/gif_palette.hpp"
 

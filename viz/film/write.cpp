@@ -1,7 +1,7 @@
 #include "lodlab/viz/film/write.hpp"
 
-#include "lodlab/core/base/ending.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/files/ending.hpp"
 #include "lodlab/viz/film/video.hpp"
 
 namespace viz {

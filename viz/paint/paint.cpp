@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/output_file.hpp"
 #include "lodlab/viz/figure/check.hpp"
 #include "lodlab/viz/paint/marks.hpp"
 #include "lodlab/viz/paint/page.hpp"

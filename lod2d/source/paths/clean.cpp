@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/shape/distance.hpp"
 #include "lodlab/lod2d/source/paths/clean_work.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/shape/distance.hpp"
 #include "lodlab/lod2d/shape/orientation.hpp"
 

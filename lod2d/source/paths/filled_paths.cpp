@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 
 namespace lod2d {
 namespace {

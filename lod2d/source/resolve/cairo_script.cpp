@@ -1,6 +1,7 @@
 #include "lodlab/lod2d/source/resolve/cairo_script.hpp"
 
 #include "lodlab/core/base/from_chars.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/source/resolve/script_reader.hpp"
 
 namespace lod2d {

@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/source/css/css.hpp"
 #include "lodlab/lod2d/source/css/property.hpp"
 #include "lodlab/lod2d/source/resolve/mask.hpp"

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/source/resolve/cairo_script.hpp"
 #include "lodlab/lod2d/source/resolve/prepare.hpp"
 
@@ -40,7 +41,7 @@ std::string one_line(std::string text) {
 
 cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count) {
     static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
-    return lod::stop_signal.load() == 0 ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
+    return lod::stop_requested ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
 }
 
 /// Draws one document at several sizes.

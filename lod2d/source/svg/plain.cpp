@@ -5,6 +5,7 @@
 #include <pugixml.hpp>
 #include <unordered_map>
 
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/source/svg/style.hpp"
 #include "lodlab/lod2d/source/svg/words.hpp"
 

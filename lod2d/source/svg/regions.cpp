@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/source/paths/clean_work.hpp"
 #include "lodlab/lod2d/source/paths/regions.hpp"
 

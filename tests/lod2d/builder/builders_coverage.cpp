@@ -1,5 +1,6 @@
 #include "lodlab/core/builder/certify.hpp"
 
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/builder/build_tree.hpp"
 #include "lodlab/lod2d/builder/piece.hpp"
 #include "lodlab/lod2d/builder/tree_report.hpp"
@@ -189,11 +190,11 @@ TEST_CASE("settings out of range are refused by name, and progress runs from 0 t
 
 TEST_CASE("a builder stops when it is asked to", "[builders]") {
     TreeSettings settings;
-    settings.progress = [](double) { lod::stop_signal = 2; };
+    settings.progress = [](double) { lod::stop_requested = true; };
     for (const Builder builder : lod::choices<Builder>()) {
         settings.builder = builder;
         CHECK_THROWS_AS(build_tree(generate("gear:9"), settings), lod::Interrupted);
-        lod::stop_signal = 0;
+        lod::stop_requested = false;
     }
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/viz/paint/space/ground.hpp"
 #include "lodlab/viz/paint/space/layer.hpp"
 

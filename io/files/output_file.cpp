@@ -1,4 +1,4 @@
-#include "lodlab/core/base/output_file.hpp"
+#include "lodlab/io/files/output_file.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -6,9 +6,7 @@
 #include <sys/stat.h>
 #include <algorithm>
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -17,7 +15,7 @@
 #endif
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/output_part.hpp"
+#include "lodlab/io/files/output_part.hpp"
 
 namespace lod {
 namespace {
@@ -193,29 +191,6 @@ void write_text_file(const fs::path& path, std::string_view text) {
     OutputFile file(path);
     file.write(text);
     file.commit();
-}
-
-std::string read_text_file(const fs::path& path, std::size_t most_bytes) {
-    std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    const std::uintmax_t bytes = is_regular_file(status) ? file_size(path, error) : 0;
-    if (error)
-        throw Error(ErrorKind::input_refused,
-                    "cannot read " + path.string() + ": " + error.message() + "; check the name");
-    if (!is_regular_file(status))
-        throw Error(ErrorKind::input_refused,
-                    "cannot read " + path.string() + ": not a regular file; name a file");
-    if (bytes > most_bytes)
-        throw Error(ErrorKind::limit_exceeded, "cannot read " + path.string() + ": " +
-                                                   std::to_string(bytes) + " bytes, the limit is " +
-                                                   std::to_string(most_bytes) +
-                                                   "; simplify the file or raise the limit");
-    std::ifstream in(path, std::ios::binary);
-    std::string text(bytes, '\0');
-    if (!in.read(text.data(), static_cast<std::streamsize>(bytes)))
-        throw Error(ErrorKind::input_refused, "cannot read " + path.string() + ": " +
-                                                  std::strerror(errno) + "; check its permissions");
-    return text;
 }
 
 }  // namespace lod

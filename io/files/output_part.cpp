@@ -1,4 +1,4 @@
-#include "lodlab/core/base/output_part.hpp"
+#include "lodlab/io/files/output_part.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -46,8 +46,4 @@ class OutputFile {
 /// The whole text under a final name, or nothing.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
 
-/// The whole of a file. Throws Error: input refused when it is missing, unreadable or no regular
-/// file; limit exceeded when it is larger than most_bytes.
-[[nodiscard]] std::string read_text_file(const std::filesystem::path& path, std::size_t most_bytes);
-
 }  // namespace lod
