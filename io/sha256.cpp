@@ -1,6 +1,7 @@
 #include "lodlab/io/sha256.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace io {

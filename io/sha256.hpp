@@ -1,11 +1,12 @@
 #pragma once
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+
+#include "lodlab/core/base/bit_cast.hpp"
 
 namespace io {
 
@@ -15,7 +16,7 @@ class Sha256 {
     void add(const void* bytes, std::size_t count);
     /// A text with its length, so that two texts are not one.
     void add(std::string_view text);
-    void add(double number) { add_word(std::bit_cast<std::uint64_t>(number)); }
+    void add(double number) { add_word(lod::bit_cast<std::uint64_t>(number)); }
     void add(std::int64_t number) { add_word(static_cast<std::uint64_t>(number)); }
     void add(int number) { add(static_cast<std::int64_t>(number)); }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include "lodlab/core/base/to_chars.hpp"
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <sstream>
@@ -19,7 +19,7 @@ using Ball = lod::Sphere<3>;
 
 std::string text_of(double value) {
     char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+    return {text, lod::to_chars(text, text + sizeof text, value).ptr};
 }
 
 std::string text_of(const lod::Vector<3>& p) {

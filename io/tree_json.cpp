@@ -1,12 +1,12 @@
 #include "lodlab/io/tree_json.hpp"
 
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <utility>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/to_chars.hpp"
 #include "lodlab/io/files/output_file.hpp"
 #include "lodlab/io/files/read_file.hpp"
 
@@ -20,7 +20,7 @@ constexpr int format_version = 2;
 
 void append(std::string& text, double value) {
     char digits[32];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    const auto end = lod::to_chars(digits, digits + sizeof digits, value).ptr;
     const std::string_view number(digits, static_cast<std::size_t>(end - digits));
     text += number == "-0" ? "-0.0" : number;  // "-0" would be read as the whole number 0
 }

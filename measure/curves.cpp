@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/to_chars.hpp"
 #include "lodlab/scenes/scene.hpp"
 
 namespace measure {
@@ -47,7 +47,7 @@ class Row {
     }
     void add(double number) {
         std::array<char, 32> digits;
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+        const auto end = lod::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
         add(std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())));
     }
     void add(int number) { add(std::string_view(std::to_string(number))); }

@@ -1,10 +1,10 @@
 #include "lodlab/scenes/keys.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/to_chars.hpp"
 #include "lodlab/scenes/spelling.hpp"
 
 namespace scenes {
@@ -24,7 +24,7 @@ constexpr double longest = 3600;     // s
 
 std::string written(double number) {
     std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+    const auto end = lod::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
     return {digits.data(), end};
 }
 

@@ -7,6 +7,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
+#include "lodlab/core/base/to_chars.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
 
 namespace scenes {
@@ -132,7 +133,7 @@ namespace {
 std::string rounded(double number) {
     std::array<char, 32> text;
     const auto* end =
-        std::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 3)
+        lod::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 3)
             .ptr;
     return {text.data(), static_cast<std::size_t>(end - text.data())};
 }

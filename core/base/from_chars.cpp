@@ -33,7 +33,8 @@ std::from_chars_result from_chars(const char* first, const char* last, double& v
     const auto [end, failure] = fast_float::from_chars(first, last, read);
     if (failure != std::errc{}) return {end, failure};
     // Older releases (3.9) say nothing when a number is out of range.
-    if ((read == 0 || std::isinf(read)) && has_digits({first, end}))
+    if ((read == 0 || std::isinf(read)) &&
+        has_digits(std::string_view(first, static_cast<std::size_t>(end - first))))
         return {end, std::errc::result_out_of_range};
     value = read;
     return {end, failure};

@@ -5,13 +5,14 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/from_chars.hpp"
+#include "lodlab/core/base/to_chars.hpp"
 
 namespace lod {
 namespace {
 
 std::string short_number(double value) {
     char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    const auto end = to_chars(text, text + sizeof text, value).ptr;
     return std::string(text, end);
 }
 

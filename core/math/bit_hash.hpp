@@ -1,9 +1,9 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "lodlab/core/base/bit_cast.hpp"
 #include "lodlab/core/math/linear.hpp"
 
 namespace lod {
@@ -11,8 +11,8 @@ namespace lod {
 /// FNV-1a over the bits of numbers, low bytes first, the same on every machine.
 class BitHash {
   public:
-    void add(double number) { add_bits(std::bit_cast<std::uint64_t>(number)); }
-    void add(std::int32_t number) { add_bits(std::bit_cast<std::uint32_t>(number)); }
+    void add(double number) { add_bits(bit_cast<std::uint64_t>(number)); }
+    void add(std::int32_t number) { add_bits(bit_cast<std::uint32_t>(number)); }
     void add(std::uint64_t number) { add_bits(number); }
     template <int Rows, int Cols>
     void add(const FixedMatrix<Rows, Cols>& numbers) {

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "lodlab/core/base/to_chars.hpp"
+
 namespace lod3d {
 namespace {
 
@@ -27,7 +29,7 @@ std::pair<Point, Point> widest_plane(const Mesh& mesh) {
 
 std::string in_digits(double value, int digits) {
     std::array<char, 64> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+    const auto end = lod::to_chars(text.data(), text.data() + text.size(), value,
                                    std::chars_format::general, digits);
     return {text.data(), end.ptr};
 }

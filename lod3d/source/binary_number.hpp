@@ -6,6 +6,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "lodlab/core/base/bit_cast.hpp"
+
 namespace lod3d {
 
 /// The number whose bytes stand at a place of a file, in the file's order of bytes, on a machine of
@@ -16,7 +18,7 @@ template <class Number>
     std::array<char, sizeof(Number)> own;
     std::memcpy(own.data(), bytes.data() + place, own.size());
     if (order != std::endian::native) std::reverse(own.begin(), own.end());
-    return std::bit_cast<Number>(own);
+    return lod::bit_cast<Number>(own);
 }
 
 }  // namespace lod3d

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "lodlab/core/base/to_chars.hpp"
+
 namespace viz {
 namespace {
 
@@ -13,7 +15,7 @@ const std::string thin_space = "\u2009";
 std::string digits_of(double value, std::chars_format format, int precision) {
     std::array<char, 400> buffer{};
     const auto end =
-        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
+        lod::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
     return {buffer.data(), end.ptr};
 }
 

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <charconv>
+
+namespace lod {
+
+/// std::to_chars of a double, for standard libraries that lack it, too (libc++ before 14): the
+/// shortest text that is read as the same number, or one of that format with so many digits,
+/// whatever the locale.
+[[nodiscard]] std::to_chars_result to_chars(char* first, char* last, double value);
+[[nodiscard]] std::to_chars_result to_chars(char* first, char* last, double value,
+                                            std::chars_format format, int precision);
+
+/// What stands in there for the standard library: the same bytes by the C library's printf, slower.
+namespace by_printf {
+[[nodiscard]] std::to_chars_result to_chars(char* first, char* last, double value);
+[[nodiscard]] std::to_chars_result to_chars(char* first, char* last, double value,
+                                            std::chars_format format, int precision);
+}  // namespace by_printf
+
+}  // namespace lod
