@@ -12,7 +12,7 @@ std::string without_controls(std::string line) {
         const auto byte = static_cast<unsigned char>(c);
         return byte < 0x20 || byte == 0x7f;
     };
-    std::ranges::replace_if(line, is_control, ' ');
+    std::replace_if(line.begin(), line.end(), is_control, ' ');
     return line;
 }
 

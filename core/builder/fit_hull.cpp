@@ -92,12 +92,13 @@ class HullFit {
             std::vector<Tip> now;
             for (const Vector<Dim>& corner : cell_.corners()) {
                 const auto same = [&](const Tip& tip) { return tip.corner == corner; };
-                if (std::ranges::any_of(now, same)) continue;
-                const auto known = std::ranges::find_if(tips, same);
+                if (std::any_of(now.begin(), now.end(), same)) continue;
+                const auto known = std::find_if(tips.begin(), tips.end(), same);
                 now.push_back(known != tips.end() ? *known : tip_at(corner));
             }
             tips = std::move(now);
-            const Tip& best = *std::ranges::max_element(tips, {}, &Tip::out);
+            const Tip& best = *std::max_element(
+                tips.begin(), tips.end(), [](const Tip& x, const Tip& y) { return x.out < y.out; });
             if (best.out <= least_search * size_) return;
             cut(best.normal);
         }
@@ -129,8 +130,10 @@ class HullFit {
     }
 
     [[nodiscard]] Vector<Dim> outermost(const Vector<Dim>& direction) const {
-        return *std::ranges::max_element(corners_, {},
-                                         [&](const Vector<Dim>& p) { return direction.dot(p); });
+        return *std::max_element(corners_.begin(), corners_.end(),
+                                 [&](const Vector<Dim>& p, const Vector<Dim>& q) {
+                                     return direction.dot(p) < direction.dot(q);
+                                 });
     }
 
     /// The normal of the facet through the Dim corners that lie outermost, the next ones looked for
@@ -168,9 +171,9 @@ class HullFit {
         for (const auto& face : cell_.faces()) {
             std::vector<std::int32_t> loop;
             for (const Vector<Dim>& p : face.corners) {
-                const auto same = std::ranges::find_if(hull.corners, [&](const Vector<Dim>& q) {
-                    return (p - q).squaredNorm() <= near;
-                });
+                const auto same = std::find_if(
+                    hull.corners.begin(), hull.corners.end(),
+                    [&](const Vector<Dim>& q) { return (p - q).squaredNorm() <= near; });
                 const auto number = static_cast<std::int32_t>(same - hull.corners.begin());
                 if (same == hull.corners.end()) hull.corners.push_back(p);
                 if (loop.empty() || (loop.back() != number && loop.front() != number))
@@ -178,7 +181,7 @@ class HullFit {
             }
             if (static_cast<int>(loop.size()) < Dim) continue;
             if (Space<Dim>::area_vector(face.corners).dot(face.side.normal) < 0)
-                std::ranges::reverse(loop);
+                std::reverse(loop.begin(), loop.end());
             hull.faces.push_back(std::move(loop));
         }
         return hull;

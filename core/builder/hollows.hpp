@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "lodlab/core/base/stop.hpp"
@@ -55,7 +56,7 @@ template <int Dim, DistanceFrom<Dim> Distance>
     for (int level = 0; level + 1 < tree.levels(); ++level) {
         check_interrupted();
         const std::vector<int> nodes = tree.level_nodes(level);
-        const bool covers = std::ranges::any_of(nodes, [&](int node) {
+        const bool covers = std::any_of(nodes.begin(), nodes.end(), [&](int node) {
             return stands_out<Dim>(tree.hulls.of(tree.hulls.best(node)), shape, reach);
         });
         if (!covers) return level;

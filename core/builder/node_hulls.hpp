@@ -46,7 +46,7 @@ template <int Dim, DistanceFrom<Dim> Distance>
 void mark_cut_corners(const Distance& shape, double reach, Hull<Dim>& hull) {
     constexpr double least_turn = 0.3;  // of the surface, as a sine: there it ends in a true corner
     const auto has = [](const std::vector<std::int32_t>& face, std::size_t corner) {
-        return std::ranges::find(face, static_cast<std::int32_t>(corner)) != face.end();
+        return std::find(face.begin(), face.end(), static_cast<std::int32_t>(corner)) != face.end();
     };
     std::vector<Vector<Dim>> normals;
     std::vector<Vector<Dim>> facet;

@@ -125,9 +125,11 @@ void FrontContacts<Dim>::model_hulls(const PosedTree<Dim>& a, const PosedTree<Di
     for (std::size_t i = 0; i < pairs.size(); ++i)
         spoken_.push_back(
             {{hulls_a.best(pairs[i].a), hulls_b.best(pairs[i].b)}, static_cast<std::int32_t>(i)});
-    std::ranges::sort(spoken_, {}, [](const Spoken& spoken) {
+    const auto place = [](const Spoken& spoken) {
         return std::tuple(spoken.best.a, spoken.best.b, spoken.pair);
-    });
+    };
+    std::sort(spoken_.begin(), spoken_.end(),
+              [&](const Spoken& x, const Spoken& y) { return place(x) < place(y); });
     touches_.clear();
     for (std::size_t first = 0, end = 0; first < spoken_.size(); first = end) {
         const NodePair best = spoken_[first].best;
@@ -151,13 +153,14 @@ void FrontContacts<Dim>::model_hulls(const PosedTree<Dim>& a, const PosedTree<Di
 template <int Dim>
 void FrontContacts<Dim>::keep_deepest() {
     if (touches_.size() <= most_patches) return;
-    std::ranges::sort(touches_, [](const Touch& x, const Touch& y) {
+    std::sort(touches_.begin(), touches_.end(), [](const Touch& x, const Touch& y) {
         const double depth_x = x.manifold.depth();
         const double depth_y = y.manifold.depth();
         return depth_x != depth_y ? depth_x > depth_y : x.nodes.first < y.nodes.first;
     });
     touches_.resize(most_patches);
-    std::ranges::sort(touches_, {}, [](const Touch& touch) { return touch.nodes.first; });
+    std::sort(touches_.begin(), touches_.end(),
+              [](const Touch& x, const Touch& y) { return x.nodes.first < y.nodes.first; });
 }
 
 template <int Dim>

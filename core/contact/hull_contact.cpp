@@ -41,7 +41,7 @@ bool is_cut(const PosedHull<Dim>& hull, std::size_t corner, const Vector<Dim>& n
     for (std::size_t face = 0; face < hull.body.normals.size(); ++face) {
         if (hull.body.inner[face] != 0) continue;
         const auto loop = hull.body.loop(face);
-        if (std::ranges::find(loop, static_cast<std::int32_t>(corner)) != loop.end())
+        if (std::find(loop.begin(), loop.end(), static_cast<std::int32_t>(corner)) != loop.end())
             along = std::max(along, normal.dot(hull.normals[face]));
     }
     return along < along_surface;

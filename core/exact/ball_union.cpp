@@ -46,7 +46,7 @@ BallUnion<Dim>::BallUnion(const SphereTree<Dim>& tree, int level)
 
 template <int Dim>
 bool BallUnion<Dim>::holds(const Vector<Dim>& p) const {
-    return std::ranges::any_of(balls_, [&](const Sphere<Dim>& ball) {
+    return std::any_of(balls_.begin(), balls_.end(), [&](const Sphere<Dim>& ball) {
         return (p - ball.centre).squaredNorm() <= ball.radius * ball.radius;
     });
 }

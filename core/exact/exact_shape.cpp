@@ -102,21 +102,23 @@ void drop_passed_corners(const Touching<Dim>& touching, double near, const Motio
         return distance_to_box(pair.a, point) <= near && distance_to_box(pair.b, point) <= near;
     };
     const auto apart_along = [&](const Vector<Dim>& normal, const Vector<Dim>& point) {
-        return std::ranges::all_of(touching.near, [&](const PartPair<Dim>& pair) {
-            return !is_local(pair, point) || gap_along(normal, pair.a, pair.b) >= -near;
-        });
+        return std::all_of(
+            touching.near.begin(), touching.near.end(), [&](const PartPair<Dim>& pair) {
+                return !is_local(pair, point) || gap_along(normal, pair.a, pair.b) >= -near;
+            });
     };
     std::erase_if(contacts, [&](const Contact<Dim>& contact) {
         const Vector<Dim> speed = motion(contact.point);
         if (contact.normal.dot(speed) >= 0) return false;
-        return std::ranges::any_of(touching.near, [&](const PartPair<Dim>& pair) {
-            if (!is_local(pair, contact.point)) return false;
-            const std::span normals(pair.direction.data(), pair.firm_directions);
-            return std::ranges::any_of(normals, [&](const Vector<Dim>& normal) {
-                return normal.dot(speed) >= -rounding * speed.norm() &&
-                       apart_along(normal, contact.point);
+        return std::any_of(
+            touching.near.begin(), touching.near.end(), [&](const PartPair<Dim>& pair) {
+                if (!is_local(pair, contact.point)) return false;
+                const std::span normals(pair.direction.data(), pair.firm_directions);
+                return std::any_of(normals.begin(), normals.end(), [&](const Vector<Dim>& normal) {
+                    return normal.dot(speed) >= -rounding * speed.norm() &&
+                           apart_along(normal, contact.point);
+                });
             });
-        });
     });
 }
 
@@ -147,7 +149,8 @@ bool exactly_overlap(const Body<Dim>& a, const Body<Dim>& b) {
     if (separation(a, b).distance == 0) return true;
     const auto holds_part = [](const Body<Dim>& outer, const Body<Dim>& inner) {
         const Placement<Dim> place = seen_from(placement(outer), placement(inner));
-        return std::ranges::any_of(inner.exact->witnesses(), [&](const Vector<Dim>& p) {
+        const auto witnesses = inner.exact->witnesses();
+        return std::any_of(witnesses.begin(), witnesses.end(), [&](const Vector<Dim>& p) {
             return outer.exact->holds(place.carry(p));
         });
     };

@@ -58,7 +58,7 @@ RelativeMotion<Dim> motion_between(const Body<Dim>& a, const Piece<Dim>& piece_a
 template <int Dim>
 bool any_approaches(const TimeOfImpact<Dim>& at, double fastest) {
     constexpr double settled = 1e-12;
-    return std::ranges::any_of(at.contacts, [&](const Contact<Dim>& contact) {
+    return std::any_of(at.contacts.begin(), at.contacts.end(), [&](const Contact<Dim>& contact) {
         return closing_velocity(at.a, at.b, contact) < -settled * fastest;
     });
 }

@@ -70,7 +70,8 @@ class Normals final : public PartVisitor<Dim> {
   private:
     void add(const Vector<Dim>& normal) {
         const auto known = [&](const Vector<Dim>& n) { return n.dot(normal) > 1 - 1e-9; };
-        if (found.size() < most && std::ranges::none_of(found, known)) found.push_back(normal);
+        if (found.size() < most && std::none_of(found.begin(), found.end(), known))
+            found.push_back(normal);
     }
     /// Either way: which is right, a shift shows.
     void add_facet(const ConvexPart<Dim>& part) {
@@ -93,8 +94,9 @@ bool touch_within(const Body<Dim>& a, const Body<Dim>& b, double tolerance,
     a.exact->visit_pairs(*b.exact, seen_from(at_a, placement(b)), normals);
     for (Vector<Dim>& normal : normals.found) normal = at_a.rotation * normal;
     const Vector<Dim> apart = b.velocity - a.velocity;
-    std::ranges::stable_sort(normals.found, std::ranges::greater{},
-                             [&](const Vector<Dim>& normal) { return normal.dot(apart); });
+    std::stable_sort(
+        normals.found.begin(), normals.found.end(),
+        [&](const Vector<Dim>& p, const Vector<Dim>& q) { return p.dot(apart) > q.dot(apart); });
     for (const Vector<Dim>& normal : normals.found) {
         Body<Dim> shifted = b;
         shifted.position += 2 * tolerance * normal;
@@ -185,7 +187,8 @@ void TrueShapePass<Dim>::refine(const TrueShapeTask<Dim>& task, Budget& budget, 
         if (!ask(task, i, budget, fronts)) break;
     }
     settle_backtracking(task, fronts);
-    std::ranges::sort(found_, {}, &FinestPair<Dim>::pair);
+    std::sort(found_.begin(), found_.end(),
+              [](const FinestPair<Dim>& x, const FinestPair<Dim>& y) { return x.pair < y.pair; });
 }
 
 /// The exact level of one pair. Returns false where the budget ended before it.

@@ -84,9 +84,10 @@ void Sweeper<Dim>::advance(std::span<Body<Dim>> bodies, double time_step,
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (is_fast(i)) find_those_of(i);
     while (!meetings_.empty()) {
-        const auto next = std::ranges::min_element(meetings_, [](const auto& x, const auto& y) {
-            return std::tie(x.time, x.a, x.b) < std::tie(y.time, y.a, y.b);
-        });
+        const auto next =
+            std::min_element(meetings_.begin(), meetings_.end(), [](const auto& x, const auto& y) {
+                return std::tie(x.time, x.a, x.b) < std::tie(y.time, y.a, y.b);
+            });
         Meeting meeting = std::move(*next);
         forget_those_of(meeting.a, meeting.b);
         if (!hold(meeting)) answer(meeting, found);
@@ -209,9 +210,10 @@ bool Sweeper<Dim>::approach_at(Meeting& pair, double time, double step) {
                           model_.point_model, pair_motion(pair.body_a, pair.body_b, step), front_);
     const double settled =
         1e-9 * (fastest_point(pair.body_a) + fastest_point(pair.body_b));  // rounding of an answer
-    return std::ranges::any_of(front_.contacts, [&](const PatchContact<Dim>& patch) {
-        return closing_velocity(pair.body_a, pair.body_b, patch.contact) < -settled;
-    });
+    return std::any_of(
+        front_.contacts.begin(), front_.contacts.end(), [&](const PatchContact<Dim>& patch) {
+            return closing_velocity(pair.body_a, pair.body_b, patch.contact) < -settled;
+        });
 }
 
 template <int Dim>
@@ -266,8 +268,9 @@ void Sweeper<Dim>::find_those_of(std::size_t body) {
         const auto [a, b] = std::minmax(body, other);
         Meeting meeting;
         if (!next_meeting(a, b, meeting)) continue;
-        const bool listed = std::ranges::any_of(
-            meetings_, [&](const Meeting& m) { return m.a == meeting.a && m.b == meeting.b; });
+        const bool listed = std::any_of(meetings_.begin(), meetings_.end(), [&](const Meeting& m) {
+            return m.a == meeting.a && m.b == meeting.b;
+        });
         if (!listed) meetings_.push_back(std::move(meeting));
     }
 }

@@ -43,10 +43,10 @@ bool HullView<Dim>::is_closed() const {
         for (std::size_t i = 0; i < corners_of.size(); ++i)
             sides.push_back({corners_of[i], corners_of[(i + 1) % corners_of.size()]});
     }
-    std::ranges::sort(sides);
-    if (std::ranges::adjacent_find(sides) != sides.end()) return false;
-    return !sides.empty() && std::ranges::all_of(sides, [&](const auto& edge) {
-        return std::ranges::binary_search(sides, std::array{edge[1], edge[0]});
+    std::sort(sides.begin(), sides.end());
+    if (std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
+    return !sides.empty() && std::all_of(sides.begin(), sides.end(), [&](const auto& edge) {
+        return std::binary_search(sides.begin(), sides.end(), std::array{edge[1], edge[0]});
     });
 }
 

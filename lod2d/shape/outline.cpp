@@ -24,7 +24,9 @@ lod::PartPair<2> nearest_edges(const lod::Facet<2>& a, const lod::Facet<2>& b, d
                                           {nearest_on_segment(a[0], a[1], b[0]), b[0]},
                                           {nearest_on_segment(a[0], a[1], b[1]), b[1]}}};
     const auto length = [](const Pair::Feet& f) { return (f.on_b - f.on_a).norm(); };
-    pair.nearest = *std::ranges::min_element(feet, {}, length);
+    pair.nearest = *std::min_element(
+        feet.begin(), feet.end(),
+        [&](const Pair::Feet& f, const Pair::Feet& g) { return length(f) < length(g); });
     pair.distance = length(pair.nearest);
     for (const Pair::Feet& f : feet)
         if (length(f) <= feet_within) pair.feet[pair.feet_count++] = f;
@@ -67,7 +69,11 @@ void ExactOutline::keep_corners(const Point& normal, double tolerance,
                                 std::vector<lod::Contact<2>>& contacts) const {
     const Point along(-normal.y(), normal.x());
     const auto place = [&](const lod::Contact<2>& c) { return along.dot(c.point); };
-    const auto [first, last] = std::ranges::minmax(contacts, {}, place);
+    const auto ends = std::minmax_element(
+        contacts.begin(), contacts.end(),
+        [&](const lod::Contact<2>& c, const lod::Contact<2>& d) { return place(c) < place(d); });
+    const lod::Contact<2> first = *ends.first;
+    const lod::Contact<2> last = *ends.second;
     contacts = {first};
     if (place(last) - place(first) > tolerance) contacts.push_back(last);
 }

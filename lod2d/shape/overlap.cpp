@@ -70,9 +70,9 @@ void visit_crossings(const BoundaryIndex& a, const BoundaryIndex& b, Visit&& vis
 
 /// Where no edges meet, a ring lies wholly inside the other region or wholly outside.
 bool holds_a_ring(const BoundaryIndex& region, const BoundaryIndex& rings) {
-    return std::ranges::any_of(rings.ring_starts(), [&](std::int32_t start) {
-        return region.inside(rings.edge_start(start));
-    });
+    const auto starts = rings.ring_starts();
+    return std::any_of(starts.begin(), starts.end(),
+                       [&](std::int32_t start) { return region.inside(rings.edge_start(start)); });
 }
 
 Point foot_on(const BoundaryIndex& index, std::int32_t edge, const Point& p) {

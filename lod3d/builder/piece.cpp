@@ -155,9 +155,11 @@ lod::HullHints<3> MeshPiece::hull_hints() const {
     if (hints.normals.size() > most_known_normals) hints.normals.clear();
     static const std::vector<Point> directions = spread_directions(search_directions);
     for (const Point& direction : directions) {
-        const Point& p = *std::ranges::max_element(
-            points_, {}, [&](const Point& q) { return direction.dot(q); });
-        if (std::ranges::find(hints.corners, p) == hints.corners.end()) hints.corners.push_back(p);
+        const Point& p = *std::max_element(
+            points_.begin(), points_.end(),
+            [&](const Point& q, const Point& r) { return direction.dot(q) < direction.dot(r); });
+        if (std::find(hints.corners.begin(), hints.corners.end(), p) == hints.corners.end())
+            hints.corners.push_back(p);
     }
     return hints;
 }

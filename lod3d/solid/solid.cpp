@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <span>
 
 #include "lodlab/core/base/error.hpp"
@@ -97,7 +98,7 @@ std::vector<Sides> sides_of_parts(const Mesh& mesh, const Parts& parts) {
     std::vector<Sides> sides;
     for (auto& triangles : of_part) {
         lod::check_interrupted();
-        std::ranges::sort(triangles, [](const auto& s, const auto& t) {
+        std::sort(triangles.begin(), triangles.end(), [](const auto& s, const auto& t) {
             return s.first > t.first || (s.first == t.first && s.second < t.second);
         });
         sides.push_back(sides_of_part(distance, mesh, longest, triangles));
@@ -149,12 +150,12 @@ long turn_parts(Mesh& mesh, const Parts& parts, const std::vector<Sides>& sides)
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         if (sides[static_cast<std::size_t>(parts.of_triangle[t])].inside_out())
             std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
-    return std::ranges::count_if(sides, &Sides::inside_out);
+    return std::count_if(sides.begin(), sides.end(), std::mem_fn(&Sides::inside_out));
 }
 
 /// Drops the parts that lie within others and bound nothing. Returns how many those are.
 long drop_hidden(Mesh& mesh, const Parts& parts, const std::vector<Sides>& sides) {
-    const long hidden = std::ranges::count_if(sides, &Sides::hidden);
+    const long hidden = std::count_if(sides.begin(), sides.end(), std::mem_fn(&Sides::hidden));
     if (hidden == 0) return 0;
     std::vector<Triangle> kept;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)

@@ -170,7 +170,7 @@ std::vector<Seen> without_repeats(const Contacts& contacts, const Point& normal,
     std::vector<Seen> points;
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         const Seen next{{x.dot(contacts[i].point), y.dot(contacts[i].point)}, i};
-        if (std::ranges::none_of(points, [&](const Seen& other) {
+        if (std::none_of(points.begin(), points.end(), [&](const Seen& other) {
                 return (other.at - next.at).norm() <= tolerance;
             }))
             points.push_back(next);
@@ -180,7 +180,7 @@ std::vector<Seen> without_repeats(const Contacts& contacts, const Point& normal,
 
 /// Andrew's monotone chains, anticlockwise.
 std::vector<Seen> convex_hull(std::vector<Seen> points) {
-    std::ranges::sort(points, [](const Seen& p, const Seen& q) {
+    std::sort(points.begin(), points.end(), [](const Seen& p, const Seen& q) {
         return p.at.x() != q.at.x() ? p.at.x() < q.at.x() : p.at.y() < q.at.y();
     });
     std::vector<Seen> hull;
@@ -192,7 +192,7 @@ std::vector<Seen> convex_hull(std::vector<Seen> points) {
             hull.push_back(p);
         }
         hull.pop_back();  // the other side begins with it
-        std::ranges::reverse(points);
+        std::reverse(points.begin(), points.end());
     }
     return hull;
 }

@@ -115,7 +115,8 @@ class HeaderReader {
     }
 
     PlyType type_in(std::string_view word) const {
-        const auto found = std::ranges::find(type_names, word, &TypeName::name);
+        const auto found = std::find_if(type_names.begin(), type_names.end(),
+                                        [&](const TypeName& one) { return one.name == word; });
         if (found == type_names.end())
             refuse_line(
                 "a property has the type " + in_quotes(word) +

@@ -124,9 +124,10 @@ class PlyReader {
   public:
     PlyReader(const PlyHeader& header, std::string_view bytes, MeshDraft& draft)
         : header_(header), values_(bytes, header, draft), draft_(draft) {
-        has_strips_ = std::ranges::any_of(header.elements, [](const PlyElement& element) {
-            return element.name == "tristrips" && element.count > 0;
-        });
+        has_strips_ = std::any_of(header.elements.begin(), header.elements.end(),
+                                  [](const PlyElement& element) {
+                                      return element.name == "tristrips" && element.count > 0;
+                                  });
     }
 
     FileMesh read() {
@@ -161,9 +162,9 @@ class PlyReader {
         std::array<std::size_t, 3> axis{};
         for (std::size_t d = 0; d < 3; ++d) {
             const std::string name(1, "xyz"[d]);
-            const auto found = std::ranges::find_if(element.properties, [&](const PlyProperty& p) {
-                return p.name == name && !p.is_list();
-            });
+            const auto found =
+                std::find_if(element.properties.begin(), element.properties.end(),
+                             [&](const PlyProperty& p) { return p.name == name && !p.is_list(); });
             if (found == element.properties.end())
                 draft_.refuse("element vertex has no property " + name + "; add it to the header");
             axis[d] = static_cast<std::size_t>(found - element.properties.begin());
@@ -178,7 +179,7 @@ class PlyReader {
                     values_.skip(property);
                 else
                     row[p] = values_.next(property.type);
-                if (std::ranges::find(axis, p) != axis.end())
+                if (std::find(axis.begin(), axis.end(), p) != axis.end())
                     draft_.note_digits(values_.last_word(), row[p]);
                 if (p == 0 && header_.format == PlyFormat::ascii) place = values_.place();
             }
@@ -224,7 +225,7 @@ class PlyReader {
             corners_.push_back(values_.next_whole(list.type, "a vertex index"));
         draft_.add_polygon(corners_, place);
         if (!has_strips_ || length < 3) return;
-        std::ranges::sort(corners_);
+        std::sort(corners_.begin(), corners_.end());
         for (const std::int64_t corner : corners_) faces_of_[corner].push_back(faces_.size());
         faces_.push_back(corners_);
     }
@@ -260,13 +261,15 @@ class PlyReader {
     /// Whether there are faces, and strips of which each triangle has the corners of one.
     [[nodiscard]] bool strips_repeat_faces() const {
         if (faces_.empty() || strips_.empty()) return false;
-        return std::ranges::all_of(strips_, [&](const StripTriangle& one) {
+        return std::all_of(strips_.begin(), strips_.end(), [&](const StripTriangle& one) {
             const auto around = faces_of_.find(one.corners[0]);
             return around != faces_of_.end() &&
-                   std::ranges::any_of(around->second, [&](std::size_t face) {
-                       return std::ranges::all_of(one.corners, [&](std::int64_t corner) {
-                           return std::ranges::binary_search(faces_[face], corner);
-                       });
+                   std::any_of(around->second.begin(), around->second.end(), [&](std::size_t face) {
+                       return std::all_of(one.corners.begin(), one.corners.end(),
+                                          [&](std::int64_t corner) {
+                                              return std::binary_search(faces_[face].begin(),
+                                                                        faces_[face].end(), corner);
+                                          });
                    });
         });
     }

@@ -26,7 +26,8 @@ Point corner_at(std::string_view bytes, std::size_t record, std::size_t which) {
 /// Whether a file is one of text: no byte at its beginning is one that texts don't have.
 bool is_text(std::string_view bytes) {
     constexpr std::size_t looked_at = 512;
-    return std::ranges::none_of(bytes.substr(0, looked_at), [](char c) {
+    const std::string_view looked = bytes.substr(0, looked_at);
+    return std::none_of(looked.begin(), looked.end(), [](char c) {
         return static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r' &&
                c != '\v' && c != '\f';
     });
