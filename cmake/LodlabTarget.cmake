@@ -32,7 +32,10 @@ function(lodlab_library name)
   target_link_libraries(${name} PUBLIC lodlab_settings PRIVATE $<BUILD_INTERFACE:lodlab_warnings>)
   # A square root is one instruction where it need not set errno; a call within a library may be
   # inlined where nobody may put another function in its place.
-  target_compile_options(${name} PRIVATE -fno-math-errno -fno-semantic-interposition)
+  target_compile_options(${name} PRIVATE -fno-math-errno)
+  if(NOT EMSCRIPTEN)
+    target_compile_options(${name} PRIVATE -fno-semantic-interposition)
+  endif()
   # A shared library shows what is lodlab's own, and hides what it took in (Eigen, parsers).
   if(BUILD_SHARED_LIBS AND UNIX AND NOT APPLE)
     target_link_options(${name} PRIVATE

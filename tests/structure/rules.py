@@ -1,5 +1,5 @@
 """The rules of the house, read from the sources: which folder may include which, where Dim may be
-tested, where the large libraries may appear, how large a folder, a file and a function may be, and that nothing
+tested, where the large libraries and the system may appear, how large a folder, a file and a function may be, and that nothing
 is written once for the plane and once for space.
 
 Usage: rules.py FOLDER             prints each breach as file:line: what; exits 1 when there is one
@@ -69,6 +69,10 @@ ONE_SOURCE = {
     "assimp": r"<assimp/",
     "Eigen": r"<Eigen/",
 }
+
+# Files, signals, processes and threads are not these rooms' affair; they compute anywhere.
+WITHOUT_SYSTEM = ["core", "lod2d/shape", "lod2d/builder", "lod3d/mesh", "lod3d/solid", "lod3d/builder", "viz/figure"]
+OF_THE_SYSTEM = r"<(filesystem|fstream|iostream|csignal|thread|future|sys/|(unistd|fcntl|signal|poll|io|windows)\.h>)"
 
 # A whole library in one header: <lodlab/core.hpp>, <lodlab/viz_paint.hpp>.
 UMBRELLA = re.compile(r"(core|io|lod2d|lod3d|scenes|measure|reference|viz)(_[a-z]+)?\.hpp$")
@@ -192,6 +196,8 @@ def check_includes(name, text, breaches):
         return
     for line, included in includes_of(text):
         if included[0] == "<":
+            if re.match(OF_THE_SYSTEM, included) and any(room.startswith(one) for one in WITHOUT_SYSTEM):
+                breaches.append(f"{name}:{line}: {included} in {room}, which asks nothing of the system; io/files does")
             if name.endswith(".hpp") and top in LIBRARIES and re.match(NOT_IN_HEADERS, included):
                 breaches.append(f"{name}:{line}: {included} in a header; include it in a .cpp")
             continue
