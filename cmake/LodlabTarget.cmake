@@ -33,7 +33,9 @@ function(lodlab_library name)
   # A square root is one instruction where it need not set errno; a call within a library may be
   # inlined where nobody may put another function in its place.
   target_compile_options(${name} PRIVATE -fno-math-errno)
-  if(NOT EMSCRIPTEN)
+  if(EMSCRIPTEN)
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+  else()
     target_compile_options(${name} PRIVATE -fno-semantic-interposition)
   endif()
   # A shared library shows what is lodlab's own, and hides what it took in (Eigen, parsers).

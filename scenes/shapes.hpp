@@ -48,7 +48,14 @@ struct TreeChoice {
 
     std::optional<double> effort;  ///< of the search for spheres; 1: the usual one
 
-    friend auto operator<=>(const TreeChoice&, const TreeChoice&) = default;
+    /// Some order, for maps.
+    friend bool operator<(const TreeChoice& a, const TreeChoice& b) {
+        const auto all = [](const TreeChoice& choice) {
+            const auto& [builder, branching, depth, error, most_nodes, effort] = choice;
+            return std::tie(builder, branching, depth, error, most_nodes, effort);
+        };
+        return all(a) < all(b);
+    }
 };
 
 /// Throws lod::Error (usage) where an effort is chosen for another builder than the one that has

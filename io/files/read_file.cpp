@@ -28,7 +28,7 @@ std::string read_text_file(const fs::path& path, std::size_t most_bytes) {
                                                    std::to_string(most_bytes) +
                                                    "; simplify the file or raise the limit");
     std::ifstream in(path, std::ios::binary);
-    std::string text(bytes, '\0');
+    std::string text(static_cast<std::size_t>(bytes), '\0');
     if (!in.read(text.data(), static_cast<std::streamsize>(bytes)))
         throw Error(ErrorKind::input_refused, "cannot read " + path.string() + ": " +
                                                   std::strerror(errno) + "; check its permissions");
