@@ -47,16 +47,16 @@ struct TreeChoice {
         most_nodes;  ///< levels that would take the tree beyond are left out
 
     std::optional<double> effort;  ///< of the search for spheres; 1: the usual one
-
-    /// Some order, for maps.
-    friend bool operator<(const TreeChoice& a, const TreeChoice& b) {
-        const auto all = [](const TreeChoice& choice) {
-            const auto& [builder, branching, depth, error, most_nodes, effort] = choice;
-            return std::tie(builder, branching, depth, error, most_nodes, effort);
-        };
-        return all(a) < all(b);
-    }
 };
+
+/// Some order, for maps.
+[[nodiscard]] inline bool operator<(const TreeChoice& a, const TreeChoice& b) {
+    const auto all = [](const TreeChoice& choice) {
+        const auto& [builder, branching, depth, error, most_nodes, effort] = choice;
+        return std::tie(builder, branching, depth, error, most_nodes, effort);
+    };
+    return all(a) < all(b);
+}
 
 /// Throws lod::Error (usage) where an effort is chosen for another builder than the one that has
 /// it.
