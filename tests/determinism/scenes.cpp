@@ -84,25 +84,34 @@ void add_interruptions(const std::string& name, Report& report) {
                all.value());
 }
 
+/// Leaves out what takes something that this machine or this build lacks.
+template <class Add>
+void add_or_leave_out(const std::string& what, Report& report, const Add& add) {
+    try {
+        add();
+    } catch (const lod::Error& error) {
+        report.leave_out(what, error.what());
+    }
+}
+
 }  // namespace
 
 void add_scenes(Report& report) {
     for (const std::string& name : scenes::names()) {
-        try {
+        add_or_leave_out("scene " + name, report, [&] {
             const scenes::Scene scene = shallow(name);
-            if (scene.limits.milliseconds) continue;  // not repeatable without its trace
+            if (scene.limits.milliseconds) return;  // not repeatable without its trace
             if (scene.dim == 3)
                 add_scene<3>(name, scene, report);
             else
                 add_scene<2>(name, scene, report);
-        } catch (const lod::Error& error) {
-            report.leave_out("scene " + name, error.what());
-        }
+        });
     }
-    add_finest<2>("figure9", report);
+    add_or_leave_out("scene figure9", report, [&] { add_finest<2>("figure9", report); });
     add_finest<2>("gears_in_a_box", report);
     add_finest<3>("knot_meets_ring", report);
-    add_interruptions<2>("figure9", report);
+    add_or_leave_out("a frame of figure9", report,
+                     [&] { add_interruptions<2>("figure9", report); });
     add_interruptions<2>("gears_in_a_box", report);
     add_interruptions<3>("knot_meets_ring", report);
 }

@@ -25,13 +25,15 @@ int compare(const Report& report, const char* path) {
     std::map<std::string, std::string> expected = read_hashes(path);
     int same = 0;
     int other = 0;
+    std::size_t left_out = 0;  // rows
     for (const Report::Line& line : report.lines()) {
         const auto found = expected.extract(line.name);
         const std::string wanted = found ? found.mapped() : "nothing";
         if (line.hash.empty()) {
             std::printf("not made: %s (%s)\n", line.name.c_str(), line.why_not.c_str());
-            std::erase_if(expected,
-                          [&](const auto& left) { return left.first.starts_with(line.name); });
+            left_out += (found ? 1 : 0) + std::erase_if(expected, [&](const auto& left) {
+                            return left.first.starts_with(line.name);
+                        });
         } else if (line.hash == wanted) {
             ++same;
         } else {
@@ -42,6 +44,7 @@ int compare(const Report& report, const char* path) {
     }
     for (const auto& [name, hash] : expected) std::printf("%s: nothing made it\n", name.c_str());
     other += static_cast<int>(expected.size());
+    if (left_out > 0) std::printf("left out: %zu rows\n", left_out);
     std::printf("%d of %d hashes are those in %s\n", same, same + other, path);
     if (other > 0)
         std::puts(
