@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "lodlab/core/base/bit_cast.hpp"
@@ -31,13 +32,12 @@ bool same_shortest(double value) {
 bool same_rounded(double value, std::chars_format format, int precision) {
     Text ours;
     Text theirs;
-    const char* const end =
-        lod::by_printf::to_chars(ours.data(), ours.data() + ours.size(), value, format, precision)
-            .ptr;
-    const char* const expected =
-        std::to_chars(theirs.data(), theirs.data() + theirs.size(), value, format, precision).ptr;
-    return std::string(ours.data(), end) ==
-           std::string(theirs.data(), static_cast<std::size_t>(expected - theirs.data()));
+    const auto our_end =
+        lod::by_printf::to_chars(ours.data(), ours.data() + ours.size(), value, format, precision);
+    const auto their_end =
+        std::to_chars(theirs.data(), theirs.data() + theirs.size(), value, format, precision);
+    return std::string_view(ours.data(), static_cast<std::size_t>(our_end.ptr - ours.data())) ==
+           std::string_view(theirs.data(), static_cast<std::size_t>(their_end.ptr - theirs.data()));
 }
 
 }  // namespace
