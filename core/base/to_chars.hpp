@@ -4,7 +4,7 @@
 
 namespace lod {
 
-/// std::to_chars of a double, for standard libraries that lack it, too (libc++ before 14): the
+/// std::to_chars of a double, for standard libraries that do not promise it, too (libc++): the
 /// shortest text that is read as the same number, or one of that format with so many digits,
 /// whatever the locale.
 [[nodiscard]] std::to_chars_result to_chars(char* first, char* last, double value);
