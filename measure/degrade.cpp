@@ -153,7 +153,7 @@ class Measurement {
                 flight.step(1);
                 continue;
             }
-            const lod::FinestPair<Dim>& exact = storage_.finest.at(0);
+            const lod::FinestPair<Dim>& exact = storage_.true_shapes.found().at(0);
             Push<Dim> push = answered(flight.time() + exact.touch.time, exact.touch.a,
                                       exact.touch.b, exact.touch.contacts, frame.response);
             push.tests = advanced.tests;

@@ -58,8 +58,8 @@ void BroadPhase<Dim>::choose_axes(const Box<Dim>& all) {
     const int before = along_;
     std::array<int, Dim> axes;
     std::iota(axes.begin(), axes.end(), 0);
-    std::ranges::sort(
-        axes, [&](int i, int k) { return size[i] > size[k] || (size[i] == size[k] && i < k); });
+    std::sort(
+        axes.begin(), axes.end(), [&](int i, int k) { return size[i] > size[k] || (size[i] == size[k] && i < k); });
     along_ = axes[0];
     across_ = axes[1];
     if (along_ != before) in_order_ = false;
@@ -117,7 +117,7 @@ void BroadPhase<Dim>::sweep(std::size_t row, std::vector<CandidatePair>& pairs) 
 template <int Dim>
 void BroadPhase<Dim>::sort_along_sweep() {
     if (!in_order_ || !insert_in_order())
-        std::ranges::sort(order_, [&](std::int32_t a, std::int32_t b) {
+        std::sort(order_.begin(), order_.end(), [&](std::int32_t a, std::int32_t b) {
             const double low_a = boxes_[static_cast<std::size_t>(a)].low[along_];
             const double low_b = boxes_[static_cast<std::size_t>(b)].low[along_];
             return low_a < low_b || (low_a == low_b && a < b);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/math/box_tree.hpp"
 #include "lodlab/lod3d/mesh/distance.hpp"
 

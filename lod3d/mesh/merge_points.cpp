@@ -10,6 +10,7 @@
 #include <unordered_map>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 
 namespace lod3d {
 namespace {

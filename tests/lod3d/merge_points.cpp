@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
 #include "tests/catch.hpp"
 #include "tests/property.hpp"
 #include "tests/random.hpp"
@@ -92,7 +93,7 @@ TEST_CASE("merging takes a bounded number of steps a point, however many lie bes
 }
 
 TEST_CASE("merging stops when it is asked to", "[merge_points]") {
-    lod::stop_signal = 2;
+    lod::stop_requested = true;
     CHECK_THROWS_AS(merge_points(sheet(0, 8, 0), 1e-9), lod::Interrupted);
-    lod::stop_signal = 0;
+    lod::stop_requested = false;
 }
