@@ -66,6 +66,7 @@ ONE_SOURCE = {
     "librsvg and what it draws to": r"<(librsvg/|cairo-script)",
     "Box2D": r"<box2d/",
     "libav": r"<lib(av|sw)\w+/",
+    "libwebp": r"<webp/",
     "assimp": r"<assimp/",
     "Eigen": r"<Eigen/",
 }

@@ -71,8 +71,8 @@ Encoder encoder_for(const std::string& ending) {
 /// Writes the frames of one video into an OutputFile.
 class VideoFile {
   public:
-    VideoFile(const std::filesystem::path& path, const std::string& ending, const Encoder& encoder,
-              int width, int height, double frames_per_second, const std::string& title);
+    VideoFile(const std::filesystem::path& path, const Encoder& encoder, const Film& film,
+              const std::string& title, bool small);
 
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;
@@ -102,6 +102,7 @@ class VideoFile {
     std::exception_ptr failure_;  ///< thrown by the file within the library's call
     bool ended_ = false;
     bool discards_ = false;  ///< what is still written goes nowhere
+    bool small_;
     std::size_t position_ = 0;
     double frames_per_second_;
     Owned<AVIOContext> stream_;
@@ -115,15 +116,15 @@ class VideoFile {
     std::int64_t sent_ = 0, muxed_ = 0;  ///< frames
 };
 
-VideoFile::VideoFile(const std::filesystem::path& path, const std::string& ending,
-                     const Encoder& encoder, int width, int height, double frames_per_second,
-                     const std::string& title)
-    : path_(path), file_(path), frames_per_second_(frames_per_second) {
+VideoFile::VideoFile(const std::filesystem::path& path, const Encoder& encoder, const Film& film,
+                     const std::string& title, bool small)
+    : path_(path), file_(path), small_(small), frames_per_second_(film.frames_per_second()) {
     AVFormatContext* format = nullptr;
+    const std::string ending = lod::ending_of(path);
     check(avformat_alloc_output_context2(&format, nullptr, ending.c_str(), nullptr),
           "choosing the format");
     format_.reset(format);
-    open_codec(encoder, width, height);
+    open_codec(encoder, film.first().width, film.first().height);
     open_filter();
     open_stream(title);
 }
@@ -210,7 +211,7 @@ void VideoFile::open_codec(const Encoder& encoder, int width, int height) {
     sws_setColorspaceDetails(scaler_.get(), table, 1, table, 0, 0, 1 << 16, 1 << 16);
 }
 
-/// Thin lines on flat ground: near-lossless settings are small enough.
+/// Thin lines on flat ground: near-lossless settings are small enough, but for a page.
 void VideoFile::set_quality() {
     const std::string name = codec_->codec->name;
     const auto set = [&](const char* option, const char* value) {
@@ -219,10 +220,10 @@ void VideoFile::set_quality() {
     if (name == "libx264") {
         set("preset", "veryfast");
         set("tune", "animation");
-        set("crf", "17");
+        set("crf", small_ ? "24" : "17");
     } else if (name == "libvpx-vp9" || name == "libvpx") {
         codec_->bit_rate = 0;
-        set("crf", "22");
+        set("crf", small_ ? "34" : "22");
         set("deadline", "good");
         set("cpu-used", "6");
     } else if (name == "gif") {
@@ -377,8 +378,7 @@ void write_video(const std::filesystem::path& path, const Animation& animation,
     av_log_set_level(AV_LOG_QUIET);
     const Encoder encoder = encoder_or_refuse(path, options);
     Film film(animation, options);
-    VideoFile file(path, lod::ending_of(path), encoder, film.first().width, film.first().height,
-                   film.frames_per_second(), plain_text(animation.title));
+    VideoFile file(path, encoder, film, plain_text(animation.title), options.small);
     if (encoder.codec->id == AV_CODEC_ID_GIF) {
         film.sample([&](const Image& image) { file.palette.sample(image); });
         file.palette.choose();

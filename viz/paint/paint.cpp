@@ -5,6 +5,7 @@
 
 #include "lodlab/io/files/output_file.hpp"
 #include "lodlab/viz/figure/check.hpp"
+#include "lodlab/viz/paint/canvas/themes.hpp"
 #include "lodlab/viz/paint/marks.hpp"
 #include "lodlab/viz/paint/page.hpp"
 #include "lodlab/viz/paint/plot.hpp"
@@ -69,7 +70,8 @@ void paint_headings(const Figure& figure, const PageLayout& layout, const PageIn
 }
 
 /// Shades the panel's scene over its whole frame, and tells what it hides.
-Hidden paint_space(const Panel& panel, const PanelPlace& place, Theme theme, Canvas& canvas) {
+Hidden paint_space(const Panel& panel, const PanelPlace& place, Theme theme, Rgb ground,
+                   Canvas& canvas) {
     const double resolution = canvas.resolution();
     const Rect& frame = place.frame;
     const double left = std::floor(frame.x * resolution);
@@ -88,7 +90,7 @@ Hidden paint_space(const Panel& panel, const PanelPlace& place, Theme theme, Can
                    {low_x + choice.width * metres, high_y}};
     SpacePicture picture = render_space(*panel.space, choice);
     canvas.clip(frame);
-    canvas.draw(picture.image, {left / resolution, top / resolution});
+    canvas.draw(picture.image, {left / resolution, top / resolution}, ground);
     canvas.unclip();
     const double slack = 3 * metres;
     return [=, depth = std::move(picture.depth)](Point at, double z) {
@@ -125,7 +127,8 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas) {
                     {{f.x, f.y}, {f.right(), f.y}, {f.right(), f.bottom()}, {f.x, f.bottom()}}},
                 ground, 1);
         }
-        const Hidden hidden = panel.space ? paint_space(panel, place, theme, canvas) : Hidden();
+        const Hidden hidden =
+            panel.space ? paint_space(panel, place, theme, ground, canvas) : Hidden();
         paint_marks(panel, place, theme, ground, hidden, canvas);
         if (!panel.title.empty())
             canvas.write(panel_title(panel, inks, place), top_left(place.title),
@@ -161,13 +164,17 @@ Image rasterise(const Figure& figure, Theme theme, Quality quality) {
 
 namespace {
 
+std::string page_bytes(const Figure& figure, Theme theme, PageFormat format, double scale) {
+    Canvas canvas(format, page_width, page_height(figure), scale);
+    paint(figure, theme, canvas);
+    return canvas.bytes(plain_text(figure.title), figure.alt);
+}
+
 void write_page(const std::filesystem::path& path, const Figure& figure,
                 const WriteOptions& options, PageFormat format) {
     check_figure(figure);
     lod::OutputFile file(path);  // refuse an unwritable folder before the work
-    Canvas canvas(format, page_width, page_height(figure), pixels_per_unit(options.quality));
-    paint(figure, options.theme, canvas);
-    file.write(canvas.bytes(plain_text(figure.title), figure.alt));
+    file.write(page_bytes(figure, options.theme, format, pixels_per_unit(options.quality)));
     file.commit();
 }
 
@@ -184,6 +191,15 @@ void write_svg(const std::filesystem::path& path, const Figure& figure,
 void write_pdf(const std::filesystem::path& path, const Figure& figure,
                const WriteOptions& options) {
     write_page(path, figure, options, PageFormat::pdf);
+}
+
+void write_web_svg(const std::filesystem::path& path, const Figure& figure) {
+    constexpr double scale = 1.4;  // a page of 1280 units is shown at most 896 pixels wide
+    check_figure(figure);
+    lod::OutputFile file(path);
+    file.write(compacted(for_both_themes(page_bytes(figure, Theme::light, PageFormat::web, scale),
+                                         page_bytes(figure, Theme::dark, PageFormat::web, scale))));
+    file.commit();
 }
 
 }  // namespace viz

@@ -19,6 +19,11 @@ void write_svg(const std::filesystem::path& path, const Figure& figure,
 void write_pdf(const std::filesystem::path& path, const Figure& figure,
                const WriteOptions& options = {});
 
+/// A small SVG for browsers, for both themes: light, or dark where its reader prefers that. Shaded
+/// surfaces in it are WebP, and coordinates are rounded to what can be seen. Throws as the others
+/// do.
+void write_web_svg(const std::filesystem::path& path, const Figure& figure);
+
 /// Picks the format by the ending: png, svg, pdf, json. Any other ending throws lod::Error (usage).
 void write_figure(const std::filesystem::path& path, const Figure& figure,
                   const WriteOptions& options = {});

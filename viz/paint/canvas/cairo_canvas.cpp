@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <new>
 #include <numbers>
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/viz/paint/canvas/canvas.hpp"
 #include "lodlab/viz/paint/canvas/document.hpp"
+#include "lodlab/viz/paint/canvas/webp.hpp"
 #include "lodlab/viz/paint/write.hpp"
 
 #if defined(__has_feature)
@@ -144,7 +146,8 @@ struct Canvas::State {
     double width;
     double height;
     double resolution;
-    std::string stream;  ///< must outlive the surface, which writes to it
+    std::string stream;             ///< must outlive the surface, which writes to it
+    std::deque<std::string> links;  ///< of pictures; the surface writes them at its end
     Owned<cairo_surface_t> surface;
     Owned<cairo_t> context;
     Owned<PangoLayout> layout;
@@ -203,7 +206,8 @@ Canvas::Canvas(PageFormat format, double width, double height, double scale)
     state_->width = width;
     state_->height = height;
     constexpr double print = 2;  // pixels a page unit
-    state_->resolution = format == PageFormat::image ? scale : std::max(print, scale);
+    const bool prints = format == PageFormat::svg || format == PageFormat::pdf;
+    state_->resolution = prints ? std::max(print, scale) : scale;
     const auto pixels = [&](double length) {
         return 2 * static_cast<int>(length * scale / 2 + 0.5);
     };
@@ -213,6 +217,7 @@ Canvas::Canvas(PageFormat format, double width, double height, double scale)
                 cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels(width), pixels(height)));
             break;
         case PageFormat::svg:
+        case PageFormat::web:
             state_->surface.reset(
                 cairo_svg_surface_create_for_stream(append, &state_->stream, width, height));
             cairo_svg_surface_set_document_unit(state_->surface.get(), CAIRO_SVG_UNIT_PX);
@@ -313,11 +318,18 @@ double Canvas::resolution() const {
     return state_->resolution;
 }
 
-void Canvas::draw(const Image& picture, Point at) {
-    std::vector<std::uint8_t> pixels = picture.pixels;
+void Canvas::draw(const Image& picture, Point at, Rgb ground) {
+    const bool web = state_->format == PageFormat::web;
+    Image copy = web ? over_ground(picture, ground) : picture;
     const Owned<cairo_surface_t> surface(cairo_image_surface_create_for_data(
-        pixels.data(), CAIRO_FORMAT_ARGB32, picture.width, picture.height, picture.stride));
+        copy.pixels.data(), CAIRO_FORMAT_ARGB32, copy.width, copy.height, copy.stride));
     check(cairo_surface_status(surface.get()));
+    if (web) {
+        const std::string& link = state_->links.emplace_back(webp_link(copy));
+        check(cairo_surface_set_mime_data(surface.get(), CAIRO_MIME_TYPE_URI,
+                                          reinterpret_cast<const unsigned char*>(link.data()),
+                                          link.size(), nullptr, nullptr));
+    }
     cairo_t* context = state_->context.get();
     cairo_save(context);
     cairo_translate(context, at.x, at.y);
@@ -359,8 +371,8 @@ std::string Canvas::bytes(const std::string& title_words, const std::string& alt
     }
     cairo_surface_finish(surface);
     check(cairo_surface_status(surface));
-    if (state_->format == PageFormat::svg) return finished_svg(state_->stream, title, alt);
-    return std::move(state_->stream);
+    if (state_->format == PageFormat::pdf) return std::move(state_->stream);
+    return finished_svg(state_->stream, title, alt);
 }
 
 Image Canvas::image() {

@@ -55,13 +55,16 @@ struct Image {
     std::vector<std::uint8_t> pixels;
 };
 
-enum class PageFormat { image, svg, pdf };
+/// web: an SVG for one theme, to be joined with the other's (viz/paint/canvas/themes.hpp); what it
+/// holds of pixels is opaque WebP.
+enum class PageFormat { image, svg, pdf, web };
 
 /// The drawing library behind a few primitives, in page units with y down. Every coordinate must
 /// be finite and near the page (viz/paint/clip.hpp). The same calls give the same bytes.
 class Canvas {
   public:
-    /// One page unit is `scale` pixels (image), or the same page in points (svg, pdf).
+    /// One page unit is `scale` pixels (image; web: of what it holds of pixels), or the same page
+    /// in points (svg, pdf).
     Canvas(PageFormat format, double width, double height, double scale);
     ~Canvas();
     Canvas(Canvas&&) noexcept;
@@ -87,13 +90,14 @@ class Canvas {
     /// for print where it is not.
     [[nodiscard]] double resolution() const;
     /// A raster picture of that resolution; `at` is its top left corner, a whole number of pixels.
-    /// Its colours are premultiplied by their cover, the fourth byte.
-    void draw(const Image& picture, Point at);
+    /// Its colours are premultiplied by their cover, the fourth byte; what they do not cover is
+    /// `ground`.
+    void draw(const Image& picture, Point at, Rgb ground);
 
     void clip(const Rect& to);
     void unclip();
 
-    /// Ends the drawing. The finished file's bytes: PNG, SVG or PDF.
+    /// Ends the drawing. The finished file's bytes: PNG, SVG or PDF (web: SVG).
     [[nodiscard]] std::string bytes(const std::string& title, const std::string& alt);
     [[nodiscard]] Image image();
 
