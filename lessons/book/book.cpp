@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cctype>
 #include <chrono>
+#include <future>
 #include <kainjow/mustache.hpp>
+#include <mutex>
 
 #include "lessons/book/book.hpp"
 #include "lessons/book/output_folder.hpp"
@@ -21,7 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Counts pictures and frames, and tells the caller how far the book has come.
+/// Counts pictures and frames, and tells the caller how far the book has come; from one thread at a
+/// time.
 class Meter {
   public:
     explicit Meter(const BookOptions& options) : options_(options) {}
@@ -29,6 +32,7 @@ class Meter {
     void expect(double work) { total_ += work; }
     void did(const std::string& what, double work) {
         lod::check_interrupted();
+        const std::lock_guard alone(mutex_);
         done_ += work;
         if (!options_.progress) return;
         const double share = total_ > 0 ? std::min(done_ / total_, 1.0) : 1;
@@ -39,15 +43,16 @@ class Meter {
   private:
     const BookOptions& options_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::mutex mutex_;
     double done_ = 0;
     double total_ = 0;
 };
 
-constexpr double picture_work = 2;  ///< light and dark, each about as long as one frame of video
+constexpr double picture_work = 2;  ///< for both themes, each about as long as a frame of video
 constexpr double video_themes = 2;
 
 double work_of(const Lesson& lesson, bool video) {
-    const auto pictures = static_cast<double>(lesson.steps.size() + lesson.figures.size());
+    const auto pictures = static_cast<double>(lesson.figures.size());
     return picture_work * pictures +
            (video ? video_themes * viz::frame_count(lesson.animation) : 0);
 }
@@ -75,7 +80,7 @@ class BookWriter {
     }
 
   private:
-    /// WebM plays in every browser; MP4 takes its place where VP9 cannot be encoded.
+    /// MP4 plays in every browser; WebM takes its place where H.264 cannot be encoded.
     void choose_video_format() {
         if (!options_.video) return;
         for (const char* ending : {"mp4", "webm"})
@@ -88,41 +93,37 @@ class BookWriter {
         return !ending_.empty() && !lesson.animation.shots.empty();
     }
 
-    /// Letters, digits and underscores: a space would part the addresses of a srcset.
-    static std::string file_name(std::string name) {
-        for (char& c : name)
+    /// Letters, digits and underscores, so that no address has to be escaped.
+    static std::string picture_name(std::string figure) {
+        for (char& c : figure)
             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-        return name;
+        return figure + ".svg";
     }
 
-    std::string write_one(const fs::path& folder, const std::string& name,
-                          const viz::Figure& figure, viz::Theme theme) {
+    void film(const fs::path& path, const Lesson& lesson, viz::Theme theme) {
         viz::WriteOptions how;
         how.theme = theme;
-        how.warn = options_.warn;
-        const std::string file =
-            file_name(name) + (theme == viz::Theme::dark ? "_dark" : "_light") + ".svg";
-        viz::write_svg(folder / file, figure, how);
-        return file;
-    }
-
-    VideoFiles write_video(const fs::path& folder, const Lesson& lesson) {
-        if (!with_video(lesson)) return {};
-        VideoFiles files{"lesson_light." + ending_, "lesson_dark." + ending_, "poster.png"};
-        const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": video";
-        viz::WriteOptions how;
         how.quality = options_.video_quality;
-        how.warn = options_.warn;
-        viz::write_png(folder / files.poster, lesson.animation.shots.front().draw(), how);
-        int before = 0;
-        how.progress = [&](const viz::Progress& progress) {
+        how.small = true;
+        if (theme == viz::Theme::light) how.warn = options_.warn;  // once for both
+        const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": video";
+        how.progress = [&, before = 0](const viz::Progress& progress) mutable {
             meter_.did(what, progress.done - before);
             before = progress.done;
         };
-        viz::write_animation(folder / files.light, lesson.animation, how);
-        before = 0;
-        how.theme = viz::Theme::dark;
-        viz::write_animation(folder / files.dark, lesson.animation, how);
+        viz::write_animation(path, lesson.animation, how);
+    }
+
+    /// Both themes at once: each film is made by one thread, so that its bytes are the same
+    /// anywhere.
+    VideoFiles write_video(const fs::path& folder, const Lesson& lesson) {
+        if (!with_video(lesson)) return {};
+        VideoFiles files{"lesson_light." + ending_, "lesson_dark." + ending_, "poster.svg"};
+        viz::write_web_svg(folder / files.poster, lesson.animation.shots.front().draw());
+        auto dark = std::async(std::launch::async,
+                               [&] { film(folder / files.dark, lesson, viz::Theme::dark); });
+        film(folder / files.light, lesson, viz::Theme::light);
+        dark.get();
         return files;
     }
 
@@ -147,15 +148,13 @@ class BookWriter {
         const fs::path folder = root_ / lesson.entry.slug;
         fs::create_directory(folder);
         const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": pictures";
-        const auto write_picture = [&](const std::string& name, const viz::Figure& figure) {
-            const PictureFiles files{write_one(folder, name, figure, viz::Theme::light),
-                                     write_one(folder, name, figure, viz::Theme::dark)};
+        for (const auto& [name, figure] : lesson.figures) {
+            viz::write_web_svg(folder / picture_name(name), figure);
             meter_.did(what, picture_work);
-            return files;
-        };
+        }
         kainjow::mustache::data data;
         const VideoFiles video = write_video(folder, lesson);
-        data.set("body", lesson_html(lesson, video, write_picture));
+        data.set("body", lesson_html(lesson, video, picture_name));
         data.set("title", lesson.entry.title);
         data.set("number", std::to_string(lesson.entry.number));
         if (i > 0) data.set("previous", neighbour(all[i - 1]));
@@ -171,7 +170,10 @@ class BookWriter {
             entry.set("number", std::to_string(lesson.entry.number));
             entry.set("title", lesson.entry.title);
             entry.set("steps", std::to_string(lesson.steps.size()));
-            entry.set("alt", viz::plain_text(lesson.steps.front().figure.alt));
+            const std::string& first = lesson.steps.front().figure;
+            entry.set("picture", picture_name(first));
+            entry.set("size", size_attributes(lesson.figures.at(first)));
+            entry.set("alt", viz::plain_text(lesson.figures.at(first).alt));
             entries.push_back(entry);
         }
         kainjow::mustache::data data;

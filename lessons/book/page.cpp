@@ -46,54 +46,19 @@ std::string with_symbols(const std::string& html) {
     return result;
 }
 
-std::string picture_html(const PictureFiles& files, const viz::Figure& figure) {
-    constexpr double height = 720;
-    const auto width = static_cast<int>(std::lround(height * std::max(figure.aspect, 1.0)));
-    const auto tall = static_cast<int>(std::lround(width / figure.aspect));
-    const std::string alt = escaped_html(viz::plain_text(figure.alt));
-    return "<a class=\"picture\" href=\"" + files.light + "\"><picture><source srcset=\"" +
-           files.dark + "\" media=\"(prefers-color-scheme: dark)\"><img src=\"" + files.light +
-           "\" alt=\"" + alt + "\" width=\"" + std::to_string(width) + "\" height=\"" +
-           std::to_string(tall) + "\" loading=\"lazy\" decoding=\"async\"></picture></a>";
+std::string picture_html(const std::string& path, const viz::Figure& figure) {
+    return "<a class=\"picture\" href=\"" + path + "\"><img src=\"" + path + "\" alt=\"" +
+           escaped_html(viz::plain_text(figure.alt)) + "\"" + size_attributes(figure) +
+           " loading=\"lazy\" decoding=\"async\"></a>";
 }
 
-std::string numbers_html(const std::map<std::string, Number>& numbers) {
+std::string numbers_html(const std::vector<ShownNumber>& numbers) {
     if (numbers.empty()) return {};
     std::string html = "<dl class=\"numbers\">";
-    for (const auto& [name, number] : numbers)
-        html += "<div><dt>" + with_symbols(escaped_html(name)) + "</dt><dd>" +
+    for (const ShownNumber& number : numbers)
+        html += "<div><dt>" + with_symbols(escaped_html(number.told)) + "</dt><dd>" +
                 escaped_html(number.text) + "</dd></div>";
     return html + "</dl>";
-}
-
-std::string steps_html(const Lesson& lesson, const WritePicture& write_picture) {
-    const std::string count = std::to_string(lesson.steps.size());
-    std::string html =
-        "<section class=\"steps\" aria-label=\"Steps of the lesson\" tabindex=\"-1\">\n"
-        "<div class=\"scrubber\" hidden>"
-        "<button type=\"button\" class=\"back\" aria-label=\"Step back\">←</button>"
-        "<input type=\"range\" min=\"1\" max=\"" +
-        count +
-        "\" value=\"1\" step=\"1\" aria-label=\"Step\">"
-        "<button type=\"button\" class=\"next\" aria-label=\"Next step\">→</button>"
-        "<output>1 / " +
-        count +
-        "</output></div>\n"
-        "<p class=\"spoken\" role=\"status\" aria-live=\"polite\"></p>\n";
-    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        const Step& step = lesson.steps[i];
-        const std::string number = std::to_string(i + 1);
-        const std::string name = "step_" + std::string(number.size() < 2 ? "0" : "") + number;
-        html += "<article class=\"step\" id=\"step-" + number + "\" aria-labelledby=\"step-" +
-                number + "-title\">\n<h3 id=\"step-" + number + "-title\"><span>" + number + "/" +
-                count + "</span> " + escaped_html(step.title) + "</h3>\n<figure>" +
-                picture_html(write_picture(name, step.figure), step.figure) + "</figure>\n" +
-                with_symbols(markdown_to_html(step.text, {})) + numbers_html(step.numbers) +
-                "</article>\n";
-    }
-    return html +
-           "<p class=\"hint\" hidden>The arrow keys <kbd>←</kbd> <kbd>→</kbd> step back and "
-           "forwards, <kbd>Home</kbd> and <kbd>End</kbd> go to the ends.</p>\n</section>\n";
 }
 
 std::string video_html(const Lesson& lesson, const VideoFiles& video) {
@@ -112,6 +77,13 @@ std::string video_html(const Lesson& lesson, const VideoFiles& video) {
 }
 
 }  // namespace
+
+std::string size_attributes(const viz::Figure& figure) {
+    constexpr double height = 720;
+    const auto width = static_cast<int>(std::lround(height * std::max(figure.aspect, 1.0)));
+    const auto tall = static_cast<int>(std::lround(width / figure.aspect));
+    return " width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(tall) + "\"";
+}
 
 std::string listing_html(const std::string& code) {
     constexpr std::array<std::string_view, 24> keywords{
@@ -146,35 +118,82 @@ std::string listing_html(const std::string& code) {
     return "<pre class=\"listing\" tabindex=\"0\"><code>" + html + "</code></pre>\n";
 }
 
-std::string lesson_html(const Lesson& lesson, const VideoFiles& video,
-                        const WritePicture& write_picture) {
-    std::string html;
-    std::string pending;  // Markdown that waits for the end of its part
-    const auto flush = [&] {
-        html += with_symbols(markdown_to_html(pending, lesson.equations));
-        pending.clear();
-    };
-    std::size_t done = 0;
-    for (const Tag& tag : find_tags(lesson.markdown, lesson.entry.slug)) {
-        pending += lesson.markdown.substr(done, tag.begin - done);
-        done = tag.end;
-        if (tag.kind == "number") {
-            pending += lesson.numbers.at(tag.name).text;
-            continue;
+namespace {
+
+/// Writes the parts of a lesson's page.
+class PageWriter {
+  public:
+    PageWriter(const Lesson& lesson, const VideoFiles& video, const PicturePath& picture_path)
+        : lesson_(lesson), video_(video), picture_path_(picture_path) {}
+
+    std::string text_html(const std::string& markdown) {
+        std::string html;
+        std::string pending;  // Markdown that waits for the end of its part
+        const auto flush = [&] {
+            html += with_symbols(markdown_to_html(pending, lesson_.equations));
+            pending.clear();
+        };
+        std::size_t done = 0;
+        for (const Tag& tag : find_tags(markdown, lesson_.script.where)) {
+            pending += markdown.substr(done, tag.begin - done);
+            done = tag.end;
+            flush();
+            if (tag.kind == "listing") html += listing_html(lesson_.listings.at(tag.name));
+            if (tag.kind == "steps") html += steps_html();
+            if (tag.kind == "video") html += video_html(lesson_, video_);
+            if (tag.kind == "figure") html += figure_html(tag.name) + "\n";
         }
+        pending += markdown.substr(done);
         flush();
-        if (tag.kind == "listing") html += listing_html(lesson.listings.at(tag.name));
-        if (tag.kind == "steps") html += steps_html(lesson, write_picture);
-        if (tag.kind == "video") html += video_html(lesson, video);
-        if (tag.kind == "figure") {
-            const viz::Figure& figure = lesson.figures.at(tag.name);
-            html +=
-                "<figure>" + picture_html(write_picture(tag.name, figure), figure) + "</figure>\n";
-        }
+        return html;
     }
-    pending += lesson.markdown.substr(done);
-    flush();
-    return html;
+
+  private:
+    std::string figure_html(const std::string& name) {
+        return "<figure>" + picture_html(picture_path_(name), lesson_.figures.at(name)) +
+               "</figure>";
+    }
+
+    std::string step_html(std::size_t index) {
+        const Step& step = lesson_.steps[index];
+        const std::string id = "step-" + std::to_string(index + 1);
+        return "<article class=\"step\" id=\"" + id + "\" aria-labelledby=\"" + id +
+               "-title\">\n<h3 id=\"" + id + "-title\"><span>" + std::to_string(index + 1) + "/" +
+               std::to_string(lesson_.steps.size()) + "</span> " + escaped_html(step.title) +
+               "</h3>\n" + figure_html(step.figure) + "\n" + text_html(step.text) +
+               numbers_html(step.numbers) + "</article>\n";
+    }
+
+    std::string steps_html() {
+        const std::string count = std::to_string(lesson_.steps.size());
+        std::string html =
+            "<section class=\"steps\" aria-label=\"Steps of the lesson\" tabindex=\"-1\">\n"
+            "<div class=\"scrubber\" hidden>"
+            "<button type=\"button\" class=\"back\" aria-label=\"Step back\">←</button>"
+            "<input type=\"range\" min=\"1\" max=\"" +
+            count +
+            "\" value=\"1\" step=\"1\" aria-label=\"Step\">"
+            "<button type=\"button\" class=\"next\" aria-label=\"Next step\">→</button>"
+            "<output>1 / " +
+            count +
+            "</output></div>\n"
+            "<p class=\"spoken\" role=\"status\" aria-live=\"polite\"></p>\n";
+        for (std::size_t i = 0; i < lesson_.steps.size(); ++i) html += step_html(i);
+        return html +
+               "<p class=\"hint\" hidden>The arrow keys <kbd>←</kbd> <kbd>→</kbd> step back and "
+               "forwards, <kbd>Home</kbd> and <kbd>End</kbd> go to the ends.</p>\n</section>\n";
+    }
+
+    const Lesson& lesson_;
+    const VideoFiles& video_;
+    const PicturePath& picture_path_;
+};
+
+}  // namespace
+
+std::string lesson_html(const Lesson& lesson, const VideoFiles& video,
+                        const PicturePath& picture_path) {
+    return PageWriter(lesson, video, picture_path).text_html(lesson.text);
 }
 
 }  // namespace lessons

@@ -7,13 +7,11 @@
 
 namespace lessons {
 
-/// Puts a picture into the page: writes its files and returns the paths, relative to the page.
-struct PictureFiles {
-    std::string light;
-    std::string dark;
-};
-using WritePicture =
-    std::function<PictureFiles(const std::string& name, const viz::Figure& figure)>;
+/// The path of a figure's picture, relative to the page.
+using PicturePath = std::function<std::string(const std::string& figure)>;
+
+/// " width=... height=..." of a figure's picture, so that a page keeps its place free.
+[[nodiscard]] std::string size_attributes(const viz::Figure& figure);
 
 /// The files of the lesson's video, relative to the page; empty where there is none.
 struct VideoFiles {
@@ -22,9 +20,9 @@ struct VideoFiles {
     std::string poster;
 };
 
-/// The body of a lesson's page as HTML. Requires: the lesson passed check_lesson.
+/// The body of a completed lesson's page as HTML.
 [[nodiscard]] std::string lesson_html(const Lesson& lesson, const VideoFiles& video,
-                                      const WritePicture& write_picture);
+                                      const PicturePath& picture_path);
 
 /// A C++ listing as HTML: comments, keywords, strings and numbers marked.
 [[nodiscard]] std::string listing_html(const std::string& code);

@@ -13,7 +13,9 @@
 #include <set>
 #include <sstream>
 
+#include "lessons/embed/lines.hpp"
 #include "lessons/embed/markdown.hpp"
+#include "lessons/embed/script.hpp"
 #include "lessons/embed/source.hpp"
 #include "lodlab/core/base/error.hpp"
 
@@ -127,27 +129,54 @@ std::string definition_in(const std::string& place, const std::string& name) {
     refuse(place + ": no definition of '" + name + "' in this folder");
 }
 
-Source read_lesson(const std::string& root, const std::string& slug, const std::string& blahtexml) {
-    const std::string folder = root + "/lessons/course/" + slug;
-    const std::string where = folder + "/lesson.md";
-    Source source{slug, read(where), {}, {}};
-    const auto own = own_listings(folder);
-    for (const lessons::Tag& tag : lessons::find_tags(source.markdown, where)) {
-        if (tag.kind != "listing") continue;
+/// One text of a lesson: the whole without its steps, or a step's.
+struct Text {
+    std::string file;
+    std::string markdown;
+    int lines_before;  ///< in the file
+};
+
+std::vector<Text> texts_of(const lessons::Script& script) {
+    std::vector<Text> texts{{script.where, script.text, 0}};
+    for (const lessons::StepScript& step : script.steps)
+        texts.push_back({script.where, step.text, step.line});
+    return texts;
+}
+
+/// The listings that a text names, from the lesson's own (which are struck off) or from a library.
+void find_named_listings(const std::string& root, const Text& text,
+                         std::map<std::string, std::string>& unnamed, Source& source) {
+    for (const lessons::Tag& tag :
+         lessons::find_tags(text.markdown, text.file, text.lines_before)) {
+        if (tag.kind != "listing" || source.listings.count(tag.name)) continue;
         const std::size_t space = tag.name.find(' ');
         if (tag.name.find('/') < space && space != std::string::npos) {
             source.listings[tag.name] =
                 definition_in(root + "/" + tag.name.substr(0, space), tag.name.substr(space + 1));
-        } else if (const auto found = own.find(tag.name); found != own.end()) {
-            source.listings.insert(*found);
+        } else if (const auto found = unnamed.find(tag.name); found != unnamed.end()) {
+            source.listings.insert(unnamed.extract(found));
         } else {
-            refuse(where + ":" + std::to_string(lessons::line_of(source.markdown, tag.begin)) +
-                   ": no listing '" + tag.name + "' in the sources beside it");
+            lessons::refuse_line(text.file,
+                                 text.lines_before + lessons::line_of(text.markdown, tag.begin),
+                                 "no listing '" + tag.name + "' in the sources beside it");
         }
     }
-    for (const lessons::Equation& equation : lessons::find_equations(source.markdown))
-        if (!source.equations.count(equation.key()))
-            source.equations[equation.key()] = to_mathml(blahtexml, equation, where);
+}
+
+Source read_lesson(const std::string& root, const std::string& slug, const std::string& blahtexml) {
+    const std::string folder = root + "/lessons/course/" + slug;
+    const std::string where = folder + "/lesson.md";
+    Source source{slug, read(where), {}, {}};
+    const lessons::Script script = lessons::read_script(source.markdown, where);
+    auto unnamed = own_listings(folder);
+    for (const Text& text : texts_of(script)) {
+        find_named_listings(root, text, unnamed, source);
+        for (const lessons::Equation& equation : lessons::find_equations(text.markdown))
+            if (!source.equations.count(equation.key()))
+                source.equations[equation.key()] = to_mathml(blahtexml, equation, where);
+    }
+    if (!unnamed.empty())
+        refuse(where + ": no text shows the listing '" + unnamed.begin()->first + "' of its code");
     return source;
 }
 

@@ -3,33 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <sstream>
 
+#include "lessons/embed/lines.hpp"
 #include "lodlab/core/base/error.hpp"
 
 namespace lessons {
 namespace {
-
-[[noreturn]] void refuse(const std::string& where, int line, const std::string& why) {
-    throw lod::Error(lod::ErrorKind::input_refused,
-                     where + ":" + std::to_string(line) + ": " + why);
-}
-
-std::string trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(" \t\r") - first + 1));
-}
-
-std::vector<std::string> lines_of(std::string_view text) {
-    std::vector<std::string> lines;
-    std::size_t begin = 0;
-    while (begin < text.size()) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        lines.emplace_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return lines;
-}
 
 /// The lines as one text, without the indentation that all of them share.
 std::string dedented(const std::vector<std::string>& lines) {
@@ -89,32 +69,75 @@ std::size_t definition_line(const std::vector<std::string>& lines, const std::st
 
 }  // namespace
 
-int line_of(std::string_view text, std::size_t offset) {
-    return 1 + static_cast<int>(std::count(
-                   text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
+Format read_format(std::string_view text) {
+    Format format;
+    std::istringstream parts{std::string(text)};
+    for (std::string part; std::getline(parts, part, ',');) {
+        part = trimmed(part);
+        const std::size_t digits = part.find_first_not_of("0123456789");
+        const std::string word = digits < part.size() ? part.substr(digits) : std::string();
+        if (part == "no unit")
+            format.unit = false;
+        else if (digits == 1 && (word == " digits" || word == " digit"))
+            format.digits = part[0] - '0';
+        else
+            throw lod::Error(lod::ErrorKind::input_refused,
+                             "unknown format '" + part + "'; use '2 digits', 'no unit' or both");
+    }
+    return format;
 }
 
-std::vector<Tag> find_tags(std::string_view markdown, const std::string& where) {
-    constexpr std::array<std::string_view, 5> kinds{"listing", "figure", "number", "steps",
-                                                    "video"};
+namespace {
+
+constexpr std::array<std::string_view, 6> kinds{"listing", "figure", "number",
+                                                "shown",   "steps",  "video"};
+
+/// The tag between the braces, or why it is none.
+Tag read_tag(std::string_view inside, const std::string& where, int line) {
+    const std::size_t colon = inside.find(':');
+    Tag tag;
+    tag.kind = trimmed(inside.substr(0, colon));
+    if (colon != std::string_view::npos) tag.name = trimmed(inside.substr(colon + 1));
+    if (std::find(kinds.begin(), kinds.end(), tag.kind) == kinds.end())
+        refuse_line(where, line,
+                    "unknown kind '" + tag.kind + "'; use listing, figure, number, shown or video");
+    if (tag.kind == "shown") {
+        const std::size_t sign = tag.name.find('=');
+        if (sign == std::string::npos)
+            refuse_line(where, line, "a shown number is written {{shown: WHAT IT IS = NAME}}");
+        tag.told = trimmed(tag.name.substr(0, sign));
+        tag.name = trimmed(tag.name.substr(sign + 1));
+    }
+    const std::size_t bar = tag.name.find('|');
+    if (bar != std::string::npos && (tag.kind == "number" || tag.kind == "shown")) {
+        tag.format = trimmed(tag.name.substr(bar + 1));
+        tag.name = trimmed(tag.name.substr(0, bar));
+        try {
+            (void)read_format(tag.format);
+        } catch (const lod::Error& unknown) {
+            refuse_line(where, line, unknown.what());
+        }
+    }
+    const bool wants_name = tag.kind != "steps" && tag.kind != "video";
+    if (wants_name == tag.name.empty())
+        refuse_line(where, line,
+                    "'" + tag.kind + (wants_name ? "' needs a name" : "' takes no name"));
+    return tag;
+}
+
+}  // namespace
+
+std::vector<Tag> find_tags(std::string_view markdown, const std::string& where, int lines_before) {
     std::vector<Tag> tags;
     for (std::size_t begin = markdown.find("{{"); begin != std::string_view::npos;
          begin = markdown.find("{{", tags.back().end)) {
-        const int line = line_of(markdown, begin);
+        const int line = lines_before + line_of(markdown, begin);
         const std::size_t close = markdown.find("}}", begin);
-        if (close == std::string_view::npos) refuse(where, line, "'{{' is not closed; add '}}'");
-        const std::string_view inside = markdown.substr(begin + 2, close - begin - 2);
-        const std::size_t colon = inside.find(':');
-        Tag tag{trimmed(inside.substr(0, colon)), {}, begin, close + 2};
-        if (colon != std::string_view::npos) tag.name = trimmed(inside.substr(colon + 1));
-        if (std::find(kinds.begin(), kinds.end(), tag.kind) == kinds.end())
-            refuse(where, line,
-                   "unknown kind '" + tag.kind + "'; use listing, figure, number, steps or video");
-        const bool wants_name = tag.kind != "steps" && tag.kind != "video";
-        if (wants_name == tag.name.empty())
-            refuse(where, line,
-                   "'" + tag.kind + (wants_name ? "' needs a name" : "' takes no name"));
-        tags.push_back(std::move(tag));
+        if (close == std::string_view::npos)
+            refuse_line(where, line, "'{{' is not closed; add '}}'");
+        tags.push_back(read_tag(markdown.substr(begin + 2, close - begin - 2), where, line));
+        tags.back().begin = begin;
+        tags.back().end = close + 2;
     }
     return tags;
 }
@@ -130,12 +153,13 @@ std::map<std::string, std::string> find_listings(std::string_view code, const st
         ++number;
         const std::string text = trimmed(line);
         if (text.starts_with(opening)) {
-            if (!open.empty()) refuse(where, number, "listing '" + open + "' is still open");
+            if (!open.empty()) refuse_line(where, number, "listing '" + open + "' is still open");
             open = trimmed(std::string_view(text).substr(opening.size()));
-            if (open.empty()) refuse(where, number, "a listing needs a name");
-            if (listings.count(open)) refuse(where, number, "listing '" + open + "' appears twice");
+            if (open.empty()) refuse_line(where, number, "a listing needs a name");
+            if (listings.count(open))
+                refuse_line(where, number, "listing '" + open + "' appears twice");
         } else if (text == closing) {
-            if (open.empty()) refuse(where, number, "no listing is open here");
+            if (open.empty()) refuse_line(where, number, "no listing is open here");
             listings[open] = dedented(body);
             open.clear();
             body.clear();
@@ -144,7 +168,7 @@ std::map<std::string, std::string> find_listings(std::string_view code, const st
         }
     }
     if (!open.empty())
-        refuse(where, number, "listing '" + open + "' is not closed; add '// end of listing'");
+        refuse_line(where, number, "listing '" + open + "' is not closed; add '// end of listing'");
     return listings;
 }
 
@@ -157,7 +181,8 @@ std::string find_definition(std::string_view code, const std::string& name,
                             const std::string& where) {
     const std::vector<std::string> lines = lines_of(code);
     std::size_t begin = definition_line(lines, name);
-    if (begin == lines.size()) refuse(where, 1, "no definition of '" + name + "' in this file");
+    if (begin == lines.size())
+        refuse_line(where, 1, "no definition of '" + name + "' in this file");
     const std::size_t end = definition_end(lines, begin);
     const auto belongs = [&](const std::string& above) {
         return above.starts_with("//") || above.starts_with("template") || above.starts_with("[[");
@@ -170,7 +195,7 @@ std::string find_definition(std::string_view code, const std::string& name,
 std::string find_title(std::string_view markdown, const std::string& where) {
     for (const std::string& line : lines_of(markdown))
         if (line.starts_with("# ")) return trimmed(std::string_view(line).substr(2));
-    refuse(where, 1, "no title; begin the text with a line '# ...'");
+    refuse_line(where, 1, "no title; begin the text with a line '# ...'");
 }
 
 }  // namespace lessons

@@ -16,17 +16,38 @@ struct Source {
     std::map<std::string, std::string> equations;  ///< "$...$" or "$$...$$" -> MathML
 };
 
-/// One `{{kind: name}}` of a text. Tags of kind steps and video have no name.
+/// How a text shows a number where it does not take it as the code gave it.
+struct Format {
+    int digits = -1;   ///< after the point; -1: as given
+    bool unit = true;  ///< false: without its unit
+};
+
+/// "2 digits", "no unit", or both with a comma. Throws lod::Error (input refused) for another.
+[[nodiscard]] Format read_format(std::string_view text);
+
+/// One tag of a text:
+///
+///     {{listing: NAME}}            a named listing of the code, or FILE NAME for a definition
+///     {{figure: NAME}}             a figure that the code gives, on a line of its own
+///     {{number: NAME | FORMAT}}    a number that the code gives
+///     {{shown: TOLD = NAME | FORMAT}}   the same, in the list below a step
+///     {{video}}                    the lesson's video, on a line of its own
+///
+/// and {{steps}}, which read_script puts in the place of the steps.
 struct Tag {
-    std::string kind;  ///< listing, figure, number, steps or video
+    std::string kind;
     std::string name;
+    std::string format;
+    std::string told;
     std::size_t begin = 0;  ///< of "{{" in the text
     std::size_t end = 0;    ///< one past "}}"
 };
 
-/// Every tag of a text, in order. Throws lod::Error (input refused) with `where` and the line for a
-/// tag that is not closed or of an unknown kind.
-[[nodiscard]] std::vector<Tag> find_tags(std::string_view markdown, const std::string& where);
+/// Every tag of a text, in order; the text begins after `lines_before` lines of the file `where`.
+/// Throws lod::Error (input refused) with `where` and the line for a tag that is not closed, of an
+/// unknown kind or of an unknown format.
+[[nodiscard]] std::vector<Tag> find_tags(std::string_view markdown, const std::string& where,
+                                         int lines_before = 0);
 
 /// The listings of a source file: the lines between `// listing: name` and `// end of listing`,
 /// indented no further than needed. Throws lod::Error (input refused) with `where` and the line for
@@ -43,8 +64,5 @@ struct Tag {
 
 /// The text of the first "# " line. Throws lod::Error (input refused) when there is none.
 [[nodiscard]] std::string find_title(std::string_view markdown, const std::string& where);
-
-/// The 1-based line of an offset.
-[[nodiscard]] int line_of(std::string_view text, std::size_t offset);
 
 }  // namespace lessons

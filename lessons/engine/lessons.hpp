@@ -3,9 +3,12 @@
 #include <filesystem>
 #include <iosfwd>
 #include <map>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "lessons/embed/script.hpp"
 #include "lodlab/viz/figure/figure.hpp"
 #include "lodlab/viz/paint/options.hpp"
 
@@ -25,38 +28,78 @@ struct Entry {
 struct Number {
     double value = 0;
     std::string text;
+    std::string unit;        ///< which the text ends with
+    bool is_counted = true;  ///< false: the text is words of its own, which take no other format
 };
 
-/// One step: what happens and why. Its text is Markdown without equations; a symbol of the
+/// A number as a step shows it.
+struct ShownNumber {
+    std::string told;  ///< what it is: "R_a + R_b"
+    std::string text;  ///< "1.650 m"
+};
+
+/// One step: what happens and why. Its text is Markdown, its numbers filled in; a symbol of the
 /// equations is written `r_a`. A question to the reader begins with **Predict:** and is answered by
 /// a later step.
 struct Step {
     std::string title;
     std::string text;
-    viz::Figure figure;
-    std::map<std::string, Number> numbers;  ///< what changed in this step, by name
+    std::string figure;  ///< its name among the lesson's
+    std::vector<ShownNumber> numbers;
 };
 
-/// A lesson after its code has run.
+/// A lesson: its words, and what its code found and drew. The code gives numbers, figures and the
+/// animation; `complete` puts them and the words together.
 struct Lesson {
     Entry entry;
-    std::string markdown;  ///< lesson.md with its tags and equations as written
-    std::vector<Step> steps;
-    std::map<std::string, viz::Figure> figures;
-    std::map<std::string, Number> numbers;
+    Script script;  ///< lesson.md
     std::map<std::string, std::string> listings;
-    viz::Animation animation;
-
     std::map<std::string, std::string> equations;  ///< LaTeX as written -> MathML
+
+    std::map<std::string, Number> numbers;
+    std::map<std::string, viz::Figure> figures;
+    viz::Animation animation;
+    std::map<std::string, std::string> given;  ///< where the code gave a name: "lesson.cpp:12"
+    std::set<std::string> said;                ///< keys of the video's words that the code took
+
+    std::string text;  ///< of the lesson without its steps, numbers filled in; a {{steps}} tag
+                       ///< stands for these, others for listings, figures and the video
+    std::vector<Step> steps;
 };
 
-/// Runs a lesson's code. Throws lod::Error: usage for a number that no lesson has; input refused
-/// when its text names a figure, number or listing that its code does not make.
-[[nodiscard]] Lesson run(int number);
+/// A line of a source. (std::source_location asks for clang 16.)
+struct Place {
+    const char* file = "";
+    int line = 0;
+    static Place current(const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
+        return {file, line};
+    }
+};
 
-/// Throws lod::Error (input refused), naming the line of the text, unless every tag of the lesson's
-/// text names something that the lesson has, and every step has a title, a text and an alt text.
-void check_lesson(const Lesson& lesson);
+// What a lesson's code gives. Throws lod::Error (input refused) for a name that is given twice.
+void give(Lesson& lesson, const std::string& name, Number number, Place place = Place::current());
+void give(Lesson& lesson, const std::string& name, viz::Figure figure,
+          Place place = Place::current());
+
+/// What a picture says beside its title: what a number is -> its name.
+using Header = std::vector<std::pair<std::string, std::string>>;
+/// A figure of one panel, in the shape of a page's. Throws besides for a number that is not given.
+void give(Lesson& lesson, const std::string& name, viz::Panel panel, const Header& header = {},
+          Place place = Place::current());
+
+/// The words `key: ...` below the video's tag, numbers filled in. Throws lod::Error (input refused)
+/// where there are none, or where they hold a number that was not given.
+[[nodiscard]] std::string video_words(Lesson& lesson, const std::string& key);
+
+/// Fills numbers into the words, and gives figures their titles and alt texts. Throws lod::Error
+/// (input refused), with file and line, for a tag that names what the code does not give, a number
+/// or figure that no text uses, a figure without a title or an alt text, and words that nothing
+/// asks for.
+void complete(Lesson& lesson);
+
+/// Runs a lesson's code and completes it. Throws lod::Error: usage for a number that no lesson has;
+/// input refused as `complete`.
+[[nodiscard]] Lesson run(int number);
 
 struct StepperOptions {
     std::filesystem::path

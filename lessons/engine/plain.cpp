@@ -179,13 +179,14 @@ std::string wrapped(std::string_view markdown, int columns, bool styled, std::st
     return wrapper.take();
 }
 
-std::string text_for_terminal(const Lesson& lesson, int columns, bool styled) {
+std::string text_for_terminal(const Lesson& lesson, std::string_view markdown, int columns,
+                              bool styled) {
+    const std::string whole(markdown);
     std::string text;
     std::size_t done = 0;
-    for (const Tag& tag : find_tags(lesson.markdown, lesson.entry.slug)) {
-        text += with_plain_equations(lesson.markdown.substr(done, tag.begin - done));
+    for (const Tag& tag : find_tags(markdown, lesson.script.where)) {
+        text += with_plain_equations(whole.substr(done, tag.begin - done));
         done = tag.end;
-        if (tag.kind == "number") text += lesson.numbers.at(tag.name).text;
         if (tag.kind == "figure") text += "[Figure: " + lesson.figures.at(tag.name).alt + "]";
         if (tag.kind == "steps") text += "[Here come the steps.]";
         if (tag.kind == "video") text += "[Here the book shows a video.]";
@@ -194,7 +195,7 @@ std::string text_for_terminal(const Lesson& lesson, int columns, bool styled) {
             for (std::string line; std::getline(lines, line);) text += "    " + line + "\n";
         }
     }
-    text += with_plain_equations(lesson.markdown.substr(done));
+    text += with_plain_equations(whole.substr(done));
     return wrapped(text, columns, styled);
 }
 

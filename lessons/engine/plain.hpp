@@ -13,8 +13,9 @@ namespace lessons {
 [[nodiscard]] std::string wrapped(std::string_view markdown, int columns, bool styled,
                                   std::string_view indent = "");
 
-/// The text of a lesson for a terminal: numbers filled in, equations in plain characters,
-/// listings indented, figures by their alt text. Requires: the lesson passed check_lesson.
-[[nodiscard]] std::string text_for_terminal(const Lesson& lesson, int columns, bool styled);
+/// A text of a completed lesson for a terminal: equations in plain characters, listings indented,
+/// figures by their alt text.
+[[nodiscard]] std::string text_for_terminal(const Lesson& lesson, std::string_view markdown,
+                                            int columns, bool styled);
 
 }  // namespace lessons

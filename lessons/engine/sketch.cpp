@@ -4,9 +4,6 @@
 #include <charconv>
 #include <limits>
 
-#include "lessons/embed/source.hpp"
-#include "lodlab/core/base/error.hpp"
-
 namespace lessons {
 
 std::string shown(double value, int decimals) {
@@ -34,7 +31,7 @@ std::string with_unit(std::string number, const std::string& unit) {
 }
 
 Number number(double value, int decimals, const std::string& unit) {
-    return {value, with_unit(shown(value, decimals), unit)};
+    return {value, with_unit(shown(value, decimals), unit), unit};
 }
 
 Number tiny(double value, const std::string& unit) {
@@ -51,37 +48,24 @@ Number tiny(double value, const std::string& unit) {
     const std::size_t digits = text[e + 2] == '0' ? e + 3 : e + 2;
     for (const char digit : text.substr(digits))
         shown_text += raised[static_cast<std::size_t>(digit - '0')];
-    return {value, with_unit(shown_text, unit)};
+    return {value, with_unit(shown_text, unit), unit};
+}
+
+std::string in_format(const Number& number, const Format& format) {
+    const std::string& text = number.text;
+    const std::string digits = format.digits < 0
+                                   ? text.substr(0, text.size() - with_unit("", number.unit).size())
+                                   : shown(number.value, format.digits);
+    return with_unit(digits, format.unit ? number.unit : "");
+}
+
+Number words(std::string text, double value) {
+    return {value, std::move(text), {}, false};
 }
 
 std::string in_words(lod::Verdict verdict) {
     if (verdict == lod::Verdict::apart) return "apart";
     return verdict == lod::Verdict::possible ? "possible" : "true collision";
-}
-
-void add_step(Lesson& lesson, const std::string& title, const std::string& text, viz::Figure figure,
-              const Named& numbers, const std::string& figure_name) {
-    const std::string where = lesson.entry.slug + ", step '" + title + "'";
-    const auto number_named = [&](const std::string& name) {
-        const auto found = lesson.numbers.find(name);
-        if (found == lesson.numbers.end())
-            throw lod::Error(lod::ErrorKind::input_refused,
-                             where + ": the lesson has no number '" + name + "'");
-        return found->second;
-    };
-    Step step{title, {}, std::move(figure), {}};
-    std::size_t end = 0;
-    for (const Tag& tag : find_tags(text, where)) {
-        if (tag.kind != "number")
-            throw lod::Error(lod::ErrorKind::input_refused,
-                             where + ": a step's text holds numbers only, not a " + tag.kind);
-        step.text += text.substr(end, tag.begin - end) + number_named(tag.name).text;
-        end = tag.end;
-    }
-    step.text += text.substr(end);
-    for (const auto& [told, name] : numbers) step.numbers[told] = number_named(name);
-    if (!figure_name.empty()) lesson.figures[figure_name] = step.figure;
-    lesson.steps.push_back(std::move(step));
 }
 
 lod2d::Shape scaled(const lod2d::Shape& shape, double factor) {
@@ -187,6 +171,30 @@ void add_centres(viz::Panel& panel, const lod::Sphere<Dim>& a, const lod::Sphere
     add_label<Dim>(panel, viz::Role::note, b.centre, "*o*_b");
 }
 
+void add_push(viz::Panel& panel, const lod::Vector<2>& point, const lod::Vector<2>& arrow) {
+    add_dot(panel, viz::Role::contact, point);
+    add_arrow(panel, viz::Role::impulse, point, point + arrow);
+}
+
+viz::Polyline curve(int series, const std::string& name) {
+    return {style(viz::Role::curve, series), {}, 1, name};
+}
+
+void add_circles(viz::Panel& panel, const lod::Sphere<2>& a, const lod::Sphere<2>& b, bool meet) {
+    const viz::Role role = meet ? viz::Role::meeting_node : viz::Role::level_node;
+    add_ball(panel, a, style(role, 0, 0));
+    add_ball(panel, b, style(role, 1, 0));
+}
+
+void add_sides(viz::Panel& panel, const lod::Vector<2>& a, const lod::Vector<2>& b,
+               const std::string& across, const std::string& up) {
+    const lod::Vector<2> corner(b.x(), a.y());
+    add_line(panel, viz::Role::construction, a, corner);
+    add_line(panel, viz::Role::construction, corner, b);
+    add_label(panel, viz::Role::note, (a + corner) / 2, across);
+    add_label(panel, viz::Role::note, (corner + b) / 2, up);
+}
+
 viz::Box box(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, top}};
 }
@@ -202,11 +210,23 @@ viz::Box box_round(const std::vector<lod::Sphere<2>>& discs) {
     return round;
 }
 
-viz::Figure figure_of(viz::Panel panel, std::string title, std::string alt) {
+std::string pairs_text(std::size_t pairs) {
+    return shown_count(pairs) + (pairs == 1 ? " pair" : " pairs");
+}
+
+void name_levels(viz::Figure& figure, const std::vector<lod::Front>& fronts) {
+    for (std::size_t level = 0; level < figure.panels.size(); ++level) {
+        const std::size_t pairs = fronts[level].pairs.size();
+        figure.panels[level].title = "Level " + std::to_string(level) + ": " +
+                                     (pairs == 0 ? "no pairs, apart" : pairs_text(pairs));
+    }
+    figure.numbers = {{"tests", shown_count(fronts.back().tests)},
+                      {"verdict", in_words(fronts.back().verdict)}};
+}
+
+viz::Figure figure_of(viz::Panel panel) {
     viz::Figure figure;
     figure.aspect = page_aspect;
-    figure.title = std::move(title);
-    figure.alt = std::move(alt);
     figure.panels.push_back(std::move(panel));
     return figure;
 }

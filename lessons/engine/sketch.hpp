@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lessons/embed/source.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lodlab/core/tree/body.hpp"
 #include "lodlab/core/tree/traversal.hpp"
@@ -30,23 +31,29 @@ namespace lessons {
 /// The number and its words: "0.31 m".
 [[nodiscard]] Number number(double value, int decimals, const std::string& unit = "");
 [[nodiscard]] Number count(std::integral auto value, const std::string& unit = "") {
-    return {static_cast<double>(value), with_unit(shown_count(value), unit)};
+    return {static_cast<double>(value), with_unit(shown_count(value), unit), unit};
 }
 
 /// A number that may be very small, as a power of ten: "2.2·10⁻¹⁶ m".
 [[nodiscard]] Number tiny(double value, const std::string& unit = "");
 
+/// The number in another format than its own.
+[[nodiscard]] std::string in_format(const Number& number, const Format& format);
+
+/// What is said in words; `value` for those who compare.
+[[nodiscard]] Number words(std::string text, double value = 0);
+
+/// "(0.560, −0.277, 0.000)".
+template <int Dim>
+[[nodiscard]] std::string vector_text(const lod::Vector<Dim>& v, int decimals = 3) {
+    std::string text;
+    for (int axis = 0; axis < Dim; ++axis)
+        text += (axis == 0 ? "(" : ", ") + shown(v[axis], decimals);
+    return text + ")";
+}
+
 /// "apart", "possible", "true collision".
 [[nodiscard]] std::string in_words(lod::Verdict verdict);
-
-/// A lesson's numbers as a step shows them: what the reader is told they are -> their name.
-using Named = std::map<std::string, std::string>;
-
-/// Adds a step to the lesson. In the text, `{{number: NAME}}` stands for a number of the lesson, as
-/// it does on the page. With a figure name the page may show the step's picture again.
-/// Throws lod::Error (input refused) for a number that the lesson does not have.
-void add_step(Lesson& lesson, const std::string& title, const std::string& text, viz::Figure figure,
-              const Named& numbers = {}, const std::string& figure_name = "");
 
 /// The shape at another size.
 [[nodiscard]] lod2d::Shape scaled(const lod2d::Shape& shape, double factor);
@@ -90,6 +97,17 @@ void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& anchor
 template <int Dim = 2>
 void add_centres(viz::Panel& panel, const lod::Sphere<Dim>& a, const lod::Sphere<Dim>& b);
 
+/// A contact point with the arrow of its impulse.
+void add_push(viz::Panel& panel, const lod::Vector<2>& point, const lod::Vector<2>& arrow);
+/// A curve of a plot, without its points.
+[[nodiscard]] viz::Polyline curve(int series, const std::string& name);
+
+/// Circles of bodies 0 and 1, bold where they meet.
+void add_circles(viz::Panel& panel, const lod::Sphere<2>& a, const lod::Sphere<2>& b, bool meet);
+/// The way from a to b, first across, then up, with a word beside each part.
+void add_sides(viz::Panel& panel, const lod::Vector<2>& a, const lod::Vector<2>& b,
+               const std::string& across, const std::string& up);
+
 [[nodiscard]] viz::Box box(double left, double bottom, double right, double top);
 
 /// The box round discs.
@@ -98,7 +116,14 @@ void add_centres(viz::Panel& panel, const lod::Sphere<Dim>& a, const lod::Sphere
 /// Width over height of a lesson's picture: words come out larger on a page than at 16 to 9.
 constexpr double page_aspect = 4.0 / 3;
 
+/// "1 pair", "4 pairs".
+[[nodiscard]] std::string pairs_text(std::size_t pairs);
+
+/// Says above each panel of a traversal, one a level, how many pairs its front has, and beside the
+/// title what it cost and found.
+void name_levels(viz::Figure& figure, const std::vector<lod::Front>& fronts);
+
 /// A figure of one panel.
-[[nodiscard]] viz::Figure figure_of(viz::Panel panel, std::string title, std::string alt);
+[[nodiscard]] viz::Figure figure_of(viz::Panel panel);
 
 }  // namespace lessons

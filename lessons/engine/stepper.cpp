@@ -150,7 +150,9 @@ class Stepper {
                 go(command.step);
                 return true;
             case Command::Kind::text:
-                output_ << "\n" << text_for_terminal(lesson_, options_.columns, options_.styled);
+                output_ << "\n"
+                        << text_for_terminal(lesson_, lesson_.text, options_.columns,
+                                             options_.styled);
                 return true;
             case Command::Kind::help:
                 output_ << help_text;
@@ -200,7 +202,8 @@ class Stepper {
     void write_picture(int number, const std::filesystem::path& path) const {
         viz::WriteOptions how;
         how.theme = options_.theme;
-        viz::write_png(path, lesson_.steps[static_cast<std::size_t>(number - 1)].figure, how);
+        const Step& step = lesson_.steps[static_cast<std::size_t>(number - 1)];
+        viz::write_png(path, lesson_.figures.at(step.figure), how);
     }
 
     void go(int number) {
@@ -212,11 +215,11 @@ class Stepper {
         const Step& step = lesson_.steps[static_cast<std::size_t>(number - 1)];
         output_ << "\n[" << number << "/" << last() << "] " << (options_.styled ? "\033[1m" : "")
                 << step.title << (options_.styled ? "\033[0m" : "") << "\n\n"
-                << wrapped(step.text, options_.columns, options_.styled);
+                << text_for_terminal(lesson_, step.text, options_.columns, options_.styled);
         if (!step.numbers.empty()) {
             output_ << "\n";
-            for (const auto& [name, value] : step.numbers)
-                output_ << "  " << name << ": " << value.text << "\n";
+            for (const ShownNumber& shown : step.numbers)
+                output_ << "  " << shown.told << ": " << shown.text << "\n";
         }
         draw(number);
     }

@@ -1,4 +1,5 @@
 #include "lessons/embed/markdown.hpp"
+#include "lessons/embed/script.hpp"
 #include "lessons/embed/source.hpp"
 #include "lessons/engine/embedded.hpp"
 #include "lessons/engine/lessons.hpp"
@@ -26,38 +27,158 @@ bool says(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
-Lesson small_lesson() {
+/// Of the text and of its steps.
+std::vector<Equation> equations_of(const std::string& markdown) {
+    const Script script = read_script(markdown, "lesson.md");
+    std::vector<Equation> equations = find_equations(script.text);
+    for (const StepScript& step : script.steps)
+        for (const Equation& equation : find_equations(step.text)) equations.push_back(equation);
+    return equations;
+}
+
+constexpr const char* small_text =
+    "# Small\n\nIt is {{number: depth}}.\n\n"
+    "### Step: One\n\nFirst {{number: depth}}, then {{number: depth | 2 digits, no unit}}.\n\n"
+    "{{figure: hole}}\ntitle: A hole of {{number: depth}}\nalt: A hole in\nthe ground.\n\n"
+    "{{shown: how deep = depth}}\n\n## After\n\nThe end.\n";
+
+Lesson small_lesson(const std::string& text = small_text) {
     Lesson lesson;
     lesson.entry = {9, "small", "Small"};
-    lesson.markdown = "# Small\n\nIt is {{number: depth}}.\n";
-    lesson.numbers["depth"] = {0.5, "0.5 m"};
+    lesson.script = read_script(text, "small/lesson.md");
+    give(lesson, "depth", number(0.5, 1, "m"));
+    give(lesson, "hole", viz::Figure());
     return lesson;
+}
+
+Lesson completed(Lesson lesson) {
+    complete(lesson);
+    return lesson;
+}
+
+/// The small lesson's text with a part of it replaced.
+std::string with(const std::string& part, const std::string& other) {
+    std::string text = small_text;
+    return text.replace(text.find(part), part.size(), other);
+}
+
+std::string complaint_of(const std::string& text) {
+    return complaint([&] { (void)completed(small_lesson(text)); });
 }
 
 }  // namespace
 
-TEST_CASE("a step's text holds the lesson's numbers, and shows them under names of its own",
-          "[lessons]") {
-    Lesson lesson = small_lesson();
-    viz::Figure figure;
-    figure.title = "A picture";
-    add_step(lesson, "Title", "First {{number: depth}}, then {{number: depth}}.", figure,
-             {{"how deep", "depth"}}, "kept");
+TEST_CASE("a step's words, numbers and figure come from its section", "[lessons]") {
+    const Lesson lesson = completed(small_lesson());
+    CHECK(says(lesson.text, "It is 0.5\u00a0m."));
+    CHECK(says(lesson.text, "{{steps}}"));
+    CHECK_FALSE(says(lesson.text, "First"));
+    CHECK(says(lesson.text, "## After\n\nThe end."));
     REQUIRE(lesson.steps.size() == 1);
-    CHECK(lesson.steps[0].text == "First 0.5 m, then 0.5 m.");
-    CHECK(lesson.steps[0].numbers.at("how deep").value == 0.5);
-    CHECK(lesson.figures.at("kept").title == "A picture");
+    CHECK(lesson.steps[0].title == "One");
+    CHECK(lesson.steps[0].text == "First 0.5\u00a0m, then 0.50.");
+    CHECK(lesson.steps[0].figure == "hole");
+    REQUIRE(lesson.steps[0].numbers.size() == 1);
+    CHECK(lesson.steps[0].numbers[0].told == "how deep");
+    CHECK(lesson.steps[0].numbers[0].text == "0.5\u00a0m");
+    CHECK(lesson.figures.at("hole").title == "A hole of 0.5\u00a0m");
+    CHECK(lesson.figures.at("hole").alt == "A hole in the ground.");
 }
 
-TEST_CASE("a step that names what the lesson does not have is refused", "[lessons]") {
+TEST_CASE("what the code does not give is refused with the line of its tag", "[lessons]") {
+    CHECK(says(complaint_of(with("It is {{number: depth}}", "It is {{number: width}}")),
+               "small/lesson.md:3: no number 'width'; the lesson's code gives: depth"));
+    CHECK(says(complaint_of(with("First {{number: depth}}", "First {{number: width}}")),
+               "small/lesson.md:7: no number 'width'"));
+    CHECK(says(complaint_of(with("hole of {{number: depth}}", "hole of {{number: width}}")),
+               "small/lesson.md:10: no number 'width'"));
+    CHECK(says(complaint_of(with("how deep = depth", "how deep = width")),
+               "small/lesson.md:14: no number 'width'"));
+    CHECK(says(complaint_of(with("{{figure: hole}}", "{{figure: hill}}")),
+               "small/lesson.md:9: no figure 'hill'"));
+    CHECK(says(complaint_of(with("The end.", "{{listing: loop}}")),
+               "small/lesson.md:18: no listing 'loop'"));
+    CHECK(says(complaint_of(with("The end.", "{{video}}")), "small/lesson.md:18:"));
+}
+
+TEST_CASE("a number or figure that no text uses is refused with the line of the code",
+          "[lessons]") {
+    for (const std::string kind : {"number", "figure"}) {
+        Lesson lesson = small_lesson();
+        if (kind == "number")
+            give(lesson, "width", count(3));
+        else
+            give(lesson, "width", viz::Figure());
+        const std::string why = complaint([&] { complete(lesson); });
+        CHECK(says(why, "mechanism.cpp:"));
+        CHECK(says(why, "no text of small/lesson.md uses the " + kind + " width"));
+    }
+}
+
+TEST_CASE("a name that is given twice is refused", "[lessons]") {
     Lesson lesson = small_lesson();
-    const std::string in_text =
-        complaint([&] { add_step(lesson, "Title", "It is {{number: width}}.", {}); });
-    CHECK(says(in_text, "width"));
-    CHECK(says(in_text, "small, step 'Title'"));
-    CHECK(says(complaint([&] { add_step(lesson, "T", "It.", {}, {{"w", "width"}}); }), "width"));
-    CHECK(says(complaint([&] { add_step(lesson, "T", "{{figure: depth}}", {}); }), "figure"));
-    CHECK(lesson.steps.empty());
+    CHECK(says(complaint([&] { give(lesson, "depth", count(1)); }), "'depth' is given already"));
+}
+
+TEST_CASE("a figure without title or alt text, or with other words, is refused", "[lessons]") {
+    CHECK(says(complaint_of(with("title: A hole of {{number: depth}}\n", "")),
+               "small/lesson.md:9: figure 'hole' has no title"));
+    CHECK(says(complaint_of(with("alt: A hole in\nthe ground.\n", "")),
+               "small/lesson.md:9: figure 'hole' has no alt text"));
+    CHECK(says(complaint_of(with("alt: ", "caption: ")),
+               "small/lesson.md:11: a figure has no 'caption'"));
+    CHECK(
+        says(complaint_of(with("alt: ", "title: ")), "small/lesson.md:11: 'title' is said twice"));
+}
+
+TEST_CASE("a step without title, text or figure, or after a heading, is refused", "[lessons]") {
+    const std::string second = "\n### Step: Two\n\nText.\n\n{{figure: hole}}\n";
+    CHECK(complaint_of(with("\n## After", second + "\n## After")).empty());
+    CHECK(
+        says(complaint_of(with("The end.\n", second)), "small/lesson.md:19: the steps stand one"));
+    CHECK(
+        says(complaint_of(with("Step: One", "Step:")), "small/lesson.md:5: a step needs a title"));
+    CHECK(says(complaint_of(with("{{figure: hole}}", "")), "small/lesson.md:5: step 'One' has no"));
+    CHECK(says(complaint_of(with("\n## After", "\n### Step: Two\n\n{{figure: hole}}\n\n## After")),
+               "small/lesson.md:16: step 'Two' has no text"));
+    CHECK(says(complaint_of(with("First", "First {{figure: hole}}")),
+               "small/lesson.md:7: a figure stands on a line of its own"));
+    CHECK(says(complaint_of(with("The end.", "{{steps}}")),
+               "small/lesson.md:18: steps are sections"));
+    CHECK(says(complaint_of(with("The end.", "{{shown: depth = depth}}")), "small/lesson.md:18:"));
+}
+
+TEST_CASE("a number takes the format that its tag asks for", "[lessons]") {
+    const auto in = [](const Number& number, const std::string& format) {
+        return in_format(number, read_format(format));
+    };
+    CHECK(in(number(1.2345, 3, "m"), "1 digit") == "1.2\u00a0m");
+    CHECK(in(number(1.2345, 3, "m"), "0 digits, no unit") == "1");
+    CHECK(in(number(1.2345, 2, "m"), "no unit") == "1.23");
+    CHECK(in(count(12345, "pairs"), "no unit") == "12\u202f345");
+    CHECK(says(complaint_of(with("2 digits, no unit", "in feet")),
+               "small/lesson.md:7: unknown format 'in feet'"));
+}
+
+TEST_CASE("words that the code gives take no format", "[lessons]") {
+    Lesson lesson = small_lesson(with("The end", "{{number: verdict | 2 digits}}"));
+    give(lesson, "verdict", words("apart"));
+    CHECK(says(complaint([&] { complete(lesson); }), "small/lesson.md:18: 'verdict' is words"));
+}
+
+TEST_CASE("the video's words are there to be asked for, and all of them are", "[lessons]") {
+    const auto filmed = [](const std::string& below) {
+        Lesson lesson = small_lesson(with("The end.", "{{video}}\n" + below));
+        lesson.animation.shots.push_back({[] { return viz::Figure(); }, 1});
+        return lesson;
+    };
+    Lesson lesson = filmed("title: A film of {{number: depth}}\nmeet: They meet");
+    CHECK(video_words(lesson, "meet") == "They meet");
+    complete(lesson);
+    CHECK(lesson.animation.title == "A film of 0.5\u00a0m");
+    CHECK(says(complaint([&] { (void)video_words(lesson, "part"); }), "no video's words 'part'"));
+    CHECK(says(complaint([&] { (void)completed(filmed("title: A film\nmeet: They meet")); }),
+               "small/lesson.md:20: the lesson's code asks for no words 'meet'"));
 }
 
 TEST_CASE("tags are found in order with their names", "[lessons]") {
@@ -83,34 +204,6 @@ TEST_CASE("a tag that is not closed or lacks its name is refused", "[lessons]") 
     CHECK(says(complaint([] { (void)find_tags("{{figure: x", "t"); }), "not closed"));
     CHECK(says(complaint([] { (void)find_tags("{{figure}}", "t"); }), "needs a name"));
     CHECK(says(complaint([] { (void)find_tags("{{steps: x}}", "t"); }), "takes no name"));
-}
-
-TEST_CASE("a text that names an unknown number, figure or listing is refused", "[lessons]") {
-    Lesson lesson = small_lesson();
-    CHECK(complaint([&] { check_lesson(lesson); }).empty());
-    for (const std::string kind : {"number", "figure", "listing"}) {
-        lesson = small_lesson();
-        lesson.markdown += "{{" + kind + ": missing}}\n";
-        const std::string why = complaint([&] { check_lesson(lesson); });
-        CHECK(says(why, "small/lesson.md:4"));
-        CHECK(says(why, "no " + kind + " 'missing'"));
-    }
-}
-
-TEST_CASE("steps or a video that a lesson does not have are refused", "[lessons]") {
-    for (const std::string kind : {"steps", "video"}) {
-        Lesson lesson = small_lesson();
-        lesson.markdown += "{{" + kind + "}}\n";
-        CHECK_FALSE(complaint([&] { check_lesson(lesson); }).empty());
-    }
-}
-
-TEST_CASE("a step without an alt text is refused", "[lessons]") {
-    Lesson lesson = small_lesson();
-    lesson.steps.push_back({"title", "text", {}, {}});
-    CHECK(says(complaint([&] { check_lesson(lesson); }), "alt"));
-    lesson.steps[0].figure.alt = "a picture";
-    CHECK(complaint([&] { check_lesson(lesson); }).empty());
 }
 
 TEST_CASE("a listing is the lines between its markers, without shared indentation", "[lessons]") {
@@ -160,7 +253,7 @@ TEST_CASE("equations are found, and shown as the MathML that they were converted
 
 TEST_CASE("every equation of every lesson was converted when the library was built", "[lessons]") {
     for (const EmbeddedLesson& lesson : embedded_lessons())
-        for (const Equation& equation : find_equations(lesson.source.markdown)) {
+        for (const Equation& equation : equations_of(lesson.source.markdown)) {
             INFO(equation.key());
             REQUIRE(lesson.source.equations.count(equation.key()) == 1);
             CHECK(says(lesson.source.equations.at(equation.key()), "<math"));
@@ -178,8 +271,7 @@ TEST_CASE("text for a terminal is wrapped by characters and loses its marks", "[
 }
 
 TEST_CASE("an equation is shown in a terminal in plain characters", "[lessons]") {
-    Lesson lesson = small_lesson();
-    lesson.markdown = "# T\n\nWith $r_a$:\n\n$$ j = -\\frac{(1 + e)\\, v_c}{K} $$\n";
-    CHECK(text_for_terminal(lesson, 80, false) ==
-          "# T\n\nWith r_a:\n\n     j = −((1 + e)  v_c) / K \n");
+    CHECK(text_for_terminal(Lesson(),
+                            "# T\n\nWith $r_a$:\n\n$$ j = -\\frac{(1 + e)\\, v_c}{K} $$\n", 80,
+                            false) == "# T\n\nWith r_a:\n\n     j = −((1 + e)  v_c) / K \n");
 }

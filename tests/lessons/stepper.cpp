@@ -24,11 +24,11 @@ Lesson three_steps() {
         Step step;
         step.title = "Title " + std::to_string(i);
         step.text = "Text " + std::to_string(i) + ".";
-        step.figure.alt = "alt";
+        step.figure = "figure " + std::to_string(i);
         viz::Panel panel;
         panel.view = {{-1, -1}, {1, 1}};
         panel.marks.push_back(viz::Disc{{}, {0, 0}, 0.1 * i});
-        step.figure.panels.push_back(panel);
+        lesson.figures[step.figure].panels.push_back(panel);
         lesson.steps.push_back(step);
     }
     return lesson;

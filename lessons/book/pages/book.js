@@ -58,7 +58,3 @@ for (const section of document.querySelectorAll("section.steps")) {
   if (fromHash()) section.scrollIntoView();
   else show(1, false);
 }
-
-// A picture opens in the colours in which it is seen.
-for (const link of document.querySelectorAll("a.picture"))
-  link.addEventListener("click", () => { link.href = link.querySelector("img").currentSrc; });

@@ -99,45 +99,24 @@ viz::Figure draw_hole(const Crescent& crescent, const Hole& hole) {
     add_ball(panel, {hole.centre, hole.radius}, style(viz::Role::meeting_node, 1));
     add_label(panel, viz::Role::body, tree.sphere(hole.leaf).centre, "the leaf, too small", 0);
     add_label(panel, viz::Role::body, hole.centre, "visitor", 1, hole.radius);
-    return figure_of(
-        std::move(panel), "A tree with a hole lets bodies pass",
-        "Leaves of the crescent's tree, one of them too small; a dashed circle shows how large it "
-        "was. A small disc lies in the crescent but in none of the leaves.");
+    return figure_of(std::move(panel));
 }
 
-}  // namespace
-
-void step_hole(Lesson& lesson, const Crescent& crescent) {
-    const Hole hole = find_hole(crescent);
-    const std::string bad = in_words(verdict_at(hole, spoiled(*crescent.tree, hole.leaf)));
-    const std::string good = in_words(verdict_at(hole, *crescent.tree));
-    lesson.numbers["bad verdict"] = {0, bad};
-    lesson.numbers["good verdict"] = {0, good};
-    lesson.numbers["visitor"] = number(1000 * hole.radius, 1, "mm");
-    lesson.numbers["spoiled leaf"] = count(hole.leaf);
+void give_hole(Lesson& lesson, const Crescent& crescent, const Hole& hole) {
+    const Number bad = words(in_words(verdict_at(hole, spoiled(*crescent.tree, hole.leaf))));
+    const Number good = words(in_words(verdict_at(hole, *crescent.tree)));
+    give(lesson, "bad verdict", bad);
+    give(lesson, "good verdict", good);
+    give(lesson, "visitor", number(1000 * hole.radius, 1, "mm"));
     viz::Figure figure = draw_hole(crescent, hole);
-    figure.numbers = {{"sound tree says", good}, {"spoiled tree says", bad}};
-    add_step(lesson, "What a bad tree does",
-             "Make one leaf too small, here 60 % of its radius. Part of the crescent now lies in "
-             "no leaf. Put a visitor there, a disc of radius {{number: visitor}}: its centre lies "
-             "inside the crescent, yet the spoiled tree says **" +
-                 bad + "**. The sound tree says " + good +
-                 ".\n\n"
-                 "A circle that is too large costs time. A circle that is too small costs the "
-                 "proof: *apart* no longer means apart, and bodies fall through each other.",
-             std::move(figure), {{"sound tree", "good verdict"}, {"spoiled tree", "bad verdict"}},
-             "hole");
+    figure.numbers = {{"sound tree says", good.text}, {"spoiled tree says", bad.text}};
+    give(lesson, "hole", std::move(figure));
 }
 
-void step_certificate(Lesson& lesson, const Crescent& crescent) {
+/// One node of level 2 with its piece, the second child of the second child; every corner is shown.
+viz::Panel draw_corners(const Crescent& crescent, std::size_t& count) {
     const Tree& tree = *crescent.tree;
     const lod2d::PolygonPiece whole(crescent.shape.polygon);
-    const auto leaf = static_cast<int>(lesson.numbers.at("spoiled leaf").value);
-    // listing: certificate
-    const std::vector<lod::LevelCertificate> sound = lod::certify<2>(tree, whole);
-    const std::vector<lod::LevelCertificate> bad = lod::certify<2>(spoiled(tree, leaf), whole);
-    // end of listing
-    // One node of level 2 with its piece: the second child of the second child.
     const int child = tree.first_child[0] + 1;
     const int node = tree.first_child[Tree::index(child)] + 1;
     const lod2d::PolygonPiece piece =
@@ -153,30 +132,37 @@ void step_certificate(Lesson& lesson, const Crescent& crescent) {
         if (std::none_of(corners.begin(), corners.end(), same)) corners.push_back(corner);
     }
     for (const Vec& corner : corners) add_dot(panel, viz::Role::contact, corner);
+    count = corners.size();
+    return panel;
+}
+
+void give_certificate(Lesson& lesson, const Crescent& crescent, int leaf) {
+    const Tree& tree = *crescent.tree;
+    const lod2d::PolygonPiece whole(crescent.shape.polygon);
+    // listing: certificate
+    const std::vector<lod::LevelCertificate> sound = lod::certify<2>(tree, whole);
+    const std::vector<lod::LevelCertificate> bad = lod::certify<2>(spoiled(tree, leaf), whole);
+    // end of listing
     const auto certified = std::count_if(sound.begin(), sound.end(),
                                          [](const auto& level) { return level.certified; });
-    viz::Figure figure = figure_of(
-        std::move(panel), "A circle holds a piece exactly when it holds its corners",
-        "One piece of level 2 with all its corners marked; every corner lies in its circle.");
-    lesson.numbers["corners"] = count(corners.size());
-    lesson.numbers["certified levels"] = count(certified);
-    lesson.numbers["uncovered"] = number(100 * bad.back().uncovered, 2, "%");
+    std::size_t corners = 0;
+    viz::Figure figure = figure_of(draw_corners(crescent, corners));
+    give(lesson, "corners", count(corners));
+    give(lesson, "certified levels", count(certified));
+    give(lesson, "uncovered", number(100 * bad.back().uncovered, 2, "%"));
+    give(lesson, "spoiled certificate", words(bad.back().certified ? "certified too" : "refused"));
     figure.numbers = {
         {"corners", lesson.numbers["corners"].text},
         {"levels certified", std::to_string(certified) + " of " + std::to_string(sound.size())}};
-    add_step(
-        lesson, "The certificate",
-        "How can a program be sure about infinitely many points? A circle is round and a piece has "
-        "straight sides. If a circle holds the two ends of a side, it holds the whole side; if it "
-        "holds all corners, it holds the whole piece. So it is enough to try the corners, "
-        "{{number: corners}} of them for this piece of level 2. lodlab does it for every node of "
-        "every tree it builds. This tree is certified at all {{number: certified levels}} levels. "
-        "The spoiled tree is " +
-            std::string(bad.back().certified ? "certified too" : "refused") +
-            ": up to {{number: uncovered}} of the crescent may be uncovered.",
-        std::move(figure),
-        {{"levels certified", "certified levels"}, {"spoiled: uncovered at most", "uncovered"}},
-        "certificate");
+    give(lesson, "certificate", std::move(figure));
+}
+
+}  // namespace
+
+void give_bad_tree(Lesson& lesson, const Crescent& crescent) {
+    const Hole hole = find_hole(crescent);
+    give_hole(lesson, crescent, hole);
+    give_certificate(lesson, crescent, hole.leaf);
 }
 
 }  // namespace lessons::tree

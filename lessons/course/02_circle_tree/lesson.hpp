@@ -19,8 +19,6 @@ struct Crescent {
     Facts facts;
 };
 
-[[nodiscard]] std::string circles_text(int nodes);
-
 /// The outline alone, in the shared view.
 [[nodiscard]] viz::Panel panel_of(const Crescent& crescent);
 
@@ -32,7 +30,6 @@ struct Crescent {
 void add_piece(viz::Panel& panel, const lod2d::PolygonPiece& piece, int index);
 
 /// What a tree without coverage does, and the certificate (bad_tree.cpp).
-void step_hole(Lesson& lesson, const Crescent& crescent);
-void step_certificate(Lesson& lesson, const Crescent& crescent);
+void give_bad_tree(Lesson& lesson, const Crescent& crescent);
 
 }  // namespace lessons::tree

@@ -26,6 +26,6 @@ struct Scene {
 void animate(Lesson& lesson, const Scene& start);
 
 /// The second half of the lesson: what becomes of many impulses (many_contacts.cpp).
-void add_many_contacts(Lesson& lesson);
+void give_many_contacts(Lesson& lesson);
 
 }  // namespace lessons::impact

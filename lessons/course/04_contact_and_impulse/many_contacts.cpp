@@ -59,7 +59,6 @@ std::string share_text(double share) {
 }
 
 void add_landing(viz::Panel& panel, const Landing& landing) {
-    constexpr double impulse_length = 0.7;  // metres of arrow for a newton second
     constexpr double velocity_length = 0.6;
     viz::Actor<2> box_actor;
     box_actor.look = {"box", {{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}}}};
@@ -68,20 +67,16 @@ void add_landing(viz::Panel& panel, const Landing& landing) {
     floor.look = {"floor", {{{-1.7, -0.25}, {1.7, -0.25}, {1.7, 0}, {-1.7, 0}}}};
     add_body(panel, floor, 0);
     add_body(panel, box_actor, 1);
-    for (std::size_t i = 0; i < landing.impacts.size(); ++i) {
-        const Vec p = landing.impacts[i].contact.point;
-        add_dot(panel, viz::Role::contact, p);
-        add_arrow(panel, viz::Role::impulse, p, p + Vec(0, impulse_length * landing.impulses[i]));
-    }
+    for (std::size_t i = 0; i < landing.impacts.size(); ++i)
+        add_push(panel, landing.impacts[i].contact.point, Vec(0, 0.7 * landing.impulses[i]));
     const Vec v = landing.bodies[1].velocity;
     add_arrow(panel, viz::Role::velocity, Vec(0, 1.05), Vec(0, 1.05) + velocity_length * v,
               shown(v.y(), 2) + " m/s", 1);
 }
 
-void step_landing(Lesson& lesson) {
+void give_landing(Lesson& lesson) {
     constexpr int contacts = 4;
     viz::Figure figure;
-    figure.title = "Four contacts, three answers";
     figure.columns = 3;
     for (const auto& [response, name] : ways) {
         const Landing landing = land(response, contacts);
@@ -90,35 +85,19 @@ void step_landing(Lesson& lesson) {
         panel.title = std::string(name) + ": energy × " + share_text(landing.share());
         add_landing(panel, landing);
         figure.panels.push_back(std::move(panel));
-        figure.alt += std::string(name) + ": " + share_text(landing.share()) + ". ";
     }
-    figure.alt =
-        "A box lands flat on four contact points. Energy after, as a multiple of the energy "
-        "before: " +
-        figure.alt;
-    lesson.numbers["single j"] = number(land(Response::net, 1).impulses[0], 3, "N s");
-    add_step(lesson, "A face lands: many contacts for one collision",
-             "A box of 1 kg lands flat on the floor at 1 m/s. Two faces meet, and in a circle tree "
-             "that is more and more pairs of nodes at every level. Each pair is a contact with an "
-             "impulse of its own by the equation above. One contact under the middle would be "
-             "enough: j = {{number: single j}}, and the box bounces with the speed it had.\n\n"
-             "**Predict:** apply the impulses of all four contacts. How fast does the box bounce? "
-             "And with their mean?\n\n"
-             "The **sum** pushes far too hard: each contact stops the box alone, without knowing "
-             "of the others. The **mean** looks reasonable, but a contact off the centre has a "
-             "small impulse, since most of it would go into spin. The spins cancel on both sides, "
-             "the missing push does not come back.",
-             std::move(figure), {}, "landing");
+    give(lesson, "single j", number(land(Response::net, 1).impulses[0], 3, "N s"));
+    give(lesson, "landing", std::move(figure));
 }
 
 viz::Polyline curve_of(Response response, const char* name, int series, int most) {
-    viz::Polyline curve{style(viz::Role::curve, series), {}, 1, name};
+    viz::Polyline curve = lessons::curve(series, name);
     for (int contacts = 1; contacts <= most; ++contacts)
         curve.points.push_back({static_cast<double>(contacts), land(response, contacts).share()});
     return curve;
 }
 
-void step_meter(Lesson& lesson) {
+void give_meter(Lesson& lesson) {
     constexpr int most = 64;
     constexpr double lowest = 1e-3;
     viz::Panel panel;
@@ -131,25 +110,10 @@ void step_meter(Lesson& lesson) {
     for (const int contacts : {2, 3, 4, 16, 64})
         for (const auto& [response, name] : ways) {
             const double share = land(response, contacts).share();
-            lesson.numbers[std::string(name) + " " + std::to_string(contacts)] = {
-                share, share_text(share)};
+            give(lesson, std::string(name) + " " + std::to_string(contacts),
+                 words(share_text(share), share));
         }
-    viz::Figure figure =
-        figure_of(std::move(panel), "The energy meter: only the net impulse keeps what there was",
-                  "Energy after over energy before against the number of contacts, 1 to 64. The "
-                  "sum rises to " +
-                      lesson.numbers["sum 64"].text +
-                      ", the mean falls to a few hundredths, the net impulse stays at 1.");
-    add_step(lesson, "The energy meter",
-             "A perfect bounce keeps the kinetic energy: the meter should say 1. With 64 contacts "
-             "the sum multiplies it by {{number: sum 64}}, the mean leaves {{number: mean 64}}. "
-             "Either way refinement makes the response *worse*: more levels, more contacts, more "
-             "error. That is not graceful.",
-             std::move(figure),
-             {{"sum, 64 contacts", "sum 64"},
-              {"mean, 64 contacts", "mean 64"},
-              {"net, 64 contacts", "net 64"}},
-             "energy meter");
+    give(lesson, "energy meter", std::move(panel));
 }
 
 /// An L that lands on its foot off its centre, so that it must turn.
@@ -193,45 +157,32 @@ viz::Figure draw_letter(const LetterLanding& landing) {
     panel.view = box(-1.0, landing.foot - 0.25, 1.0, 1.0);
     add_body(panel, landing.floor, 0);
     add_body(panel, landing.letter, 1);
-    for (std::size_t i = 0; i < landing.impacts.size(); ++i) {
-        const Vec p = landing.impacts[i].contact.point;
-        add_dot(panel, viz::Role::contact, p);
-        add_arrow(panel, viz::Role::impulse, p, p + Vec(0, 1.5 * landing.impulses[i]));
-    }
+    for (std::size_t i = 0; i < landing.impacts.size(); ++i)
+        add_push(panel, landing.impacts[i].contact.point, Vec(0, 1.5 * landing.impulses[i]));
     const Body<2>& body = landing.letter.body;
     add_arrow(panel, viz::Role::velocity, body.position, body.position + 0.4 * body.velocity,
               "*v*_b", 1);
-    return figure_of(
-        std::move(panel), "The net impulse: shared out, then scaled",
-        "A letter L lands flat on eight contact points, each with its part of the net impulse.");
+    return figure_of(std::move(panel));
 }
 
-void step_net(Lesson& lesson) {
+void give_net(Lesson& lesson) {
     const LetterLanding landing = land_letter();
-    lesson.numbers["L energy"] = number(landing.share, 12);
-    lesson.numbers["L spin"] = number(landing.letter.body.spin[0], 3, "rad/s");
-    lesson.numbers["L speed"] = number(landing.letter.body.velocity.y(), 3, "m/s");
-    lesson.numbers["half bounce"] = number(land(Response::net, 16, 0.5).share(), 3);
+    give(lesson, "L energy", number(landing.share, 12));
+    give(lesson, "L spin", number(landing.letter.body.spin[0], 3, "rad/s"));
+    give(lesson, "L speed", number(landing.letter.body.velocity.y(), 3, "m/s"));
+    give(lesson, "half bounce", number(land(Response::net, 16, 0.5).share(), 3));
     viz::Figure figure = draw_letter(landing);
     figure.numbers = {{"energy after / before", lesson.numbers["L energy"].text},
                       {"spin", lesson.numbers["L spin"].text}};
-    add_step(lesson, "The net impulse",
-             "So let the contacts know of each other. Keep the *proportions*: each contact asks "
-             "for u/K, as if it were alone. Then scale all of them by one common factor, chosen so "
-             "that the energy comes out right. An L that lands on its foot shows that it works off "
-             "the centre too: it leaves with {{number: L speed}} and a spin of {{number: L spin}}, "
-             "and energy after / before is {{number: L energy}}. If a contact still approaches "
-             "afterwards, the same is done again for those that do.\n\n"
-             "With one contact this *is* the equation from before; nothing had to be given up.",
-             std::move(figure), {{"energy after / before", "L energy"}}, "net");
+    give(lesson, "net", std::move(figure));
 }
 
 }  // namespace
 
-void add_many_contacts(Lesson& lesson) {
-    step_landing(lesson);
-    step_meter(lesson);
-    step_net(lesson);
+void give_many_contacts(Lesson& lesson) {
+    give_landing(lesson);
+    give_meter(lesson);
+    give_net(lesson);
 }
 
 }  // namespace lessons::impact

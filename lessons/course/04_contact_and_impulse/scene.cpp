@@ -65,7 +65,7 @@ void animate(Lesson& lesson, const Scene& start) {
         body.orientation -= back * body.spin[0];
     }
     viz::Run<2> run;
-    run.name = "interrupted at level " + std::to_string(start.level);
+    run.name = video_words(lesson, "run");
     run.looks = {start.gear.look, start.star.look};
     run.time_step = time_step;
     for (int i = 0; i < frames; ++i) {
@@ -75,10 +75,8 @@ void animate(Lesson& lesson, const Scene& start) {
     }
     viz::ImpactMotion motion;
     motion.seconds = 3;
-    motion.title = "A gear and a star meet at level " + std::to_string(start.level) +
-                   " of their trees and part";
+    motion.title = video_words(lesson, "title");
     lesson.animation = viz::impact_motion<2>({run}, motion);
-    lesson.animation.title = motion.title;
 }
 
 }  // namespace lessons::impact

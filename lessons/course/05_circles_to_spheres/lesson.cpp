@@ -63,33 +63,19 @@ viz::Panel draw_pair(const Sphere<Dim>& a, const Sphere<Dim>& b, const std::stri
     return panel;
 }
 
-void step_ball(Lesson& lesson) {
+void give_ball(Lesson& lesson) {
     const Sphere<2> flat_a{Flat(0, 0), 1};
     const Sphere<2> flat_b{Flat(1.2, 0.5), 0.65};
     Sphere<3> b = lifted(flat_b);
     b.centre.z() = -1.2;
-    const double flat_distance = (flat_b.centre - flat_a.centre).norm();
-    const double distance = b.centre.norm();
-    lesson.numbers["flat d"] = number(flat_distance, 3, "m");
-    lesson.numbers["d"] = number(distance, 3, "m");
-    lesson.numbers["reach"] = number(flat_a.radius + flat_b.radius, 3, "m");
+    give(lesson, "flat d", number((flat_b.centre - flat_a.centre).norm(), 3, "m"));
+    give(lesson, "d", number(b.centre.norm(), 3, "m"));
+    give(lesson, "reach", number(flat_a.radius + flat_b.radius, 3, "m"));
     viz::Figure figure;
-    figure.title = "The third coordinate adds one square";
     figure.panels = {draw_pair(flat_a, flat_b, "in the plane: they meet"),
                      draw_pair(lifted(flat_a), b, "in space: behind, and apart")};
     figure.columns = 2;
-    figure.alt =
-        "Two circles that meet in the plane, and beside them two spheres of the same radii, one "
-        "farther back, which are apart.";
-    add_step(lesson, "A circle becomes a sphere",
-             "A sphere is four numbers: its centre o (three) and its radius R (one). Two spheres "
-             "share a point exactly when their centres are no farther apart than both radii "
-             "reach. Pythagoras takes one more square: d² = x² + y² + z².\n\n"
-             "The two circles are {{number: flat d}} apart and reach {{number: reach}}, so they "
-             "meet. Push the second one back by 1.2 m, and as spheres they are {{number: d}} "
-             "apart: nothing meets, although from the front one hides the other.\n\n"
-             "**Predict:** what in the program of lesson 1 has to change?",
-             std::move(figure), {{"d in the plane", "flat d"}, {"d in space", "d"}});
+    give(lesson, "sphere", std::move(figure));
 }
 
 /// A ring and an L in the plane, and the same circles in space.
@@ -173,50 +159,29 @@ viz::Panel draw_front(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
     return panel;
 }
 
-void step_same_code(Lesson& lesson) {
+void give_same_code(Lesson& lesson) {
     constexpr int trials = 10000;
     const FlatPair pair = make_flat_pair();
-    lesson.numbers["trials"] = count(trials);
-    lesson.numbers["disagreements"] = count(count_disagreements(trials));
-    lesson.numbers["levels"] = count(pair.fronts.size());
-    lesson.numbers["flat tests"] = count(pair.fronts.back().tests);
-    lesson.numbers["lifted tests"] = count(pair.lifted_fronts.back().tests);
-    lesson.numbers["flat pairs"] = count(pair.fronts.back().pairs.size());
-    lesson.numbers["differing fronts"] = count(count_differing_fronts(pair));
-    lesson.numbers["contact difference"] = tiny(contact_difference(pair), "m");
+    give(lesson, "trials", count(trials));
+    give(lesson, "disagreements", count(count_disagreements(trials)));
+    give(lesson, "levels", count(pair.fronts.size()));
+    give(lesson, "flat tests", count(pair.fronts.back().tests));
+    give(lesson, "lifted tests", count(pair.lifted_fronts.back().tests));
+    give(lesson, "flat pairs", count(pair.fronts.back().pairs.size()));
+    give(lesson, "differing fronts", count(count_differing_fronts(pair)));
+    give(lesson, "contact difference", tiny(contact_difference(pair), "m"));
     viz::Figure figure;
-    figure.title = "The same circles, once flat and once as spheres";
     figure.panels = {draw_front<2>(pair.a.body, pair.b.body, pair.fronts, "circles of level 2"),
                      draw_front<3>(pair.lifted_a.body, pair.lifted_b.body, pair.lifted_fronts,
                                    "spheres of level 2")};
     figure.columns = 2;
     figure.numbers = {{"tests", lesson.numbers["flat tests"].text + " and " +
                                     lesson.numbers["lifted tests"].text}};
-    figure.alt =
-        "Level 2 of the traversal of a ring and an L: circles on the left, on the right spheres "
-        "with the same centres and radii, of which the same ones are bold.";
-    add_step(lesson, "Nothing changes but the number of coordinates",
-             "In lodlab, nothing. The test is written once for any number of coordinates, and so "
-             "are the traversal, the contact and the impulse. The compiler makes two programs of "
-             "it, one with Dim = 2 and one with Dim = 3.\n\n"
-             "Is that true? Take {{number: trials}} pairs of circles, and the same as spheres with "
-             "z = 0: the two programs disagree on {{number: disagreements}} of them. Then two "
-             "whole trees, each circle made a sphere: at all {{number: levels}} levels the fronts "
-             "hold the same pairs after the same number of tests, {{number: flat tests}} in the "
-             "plane and {{number: lifted tests}} in space, and {{number: differing fronts}} fronts "
-             "differ. The contact points of the last front agree to {{number: contact "
-             "difference}}, which is rounding.\n\n"
-             "**The plane is the shadow of the method**, not another method. What you know from "
-             "lessons 1 to 4 you know for space.",
-             std::move(figure),
-             {{"pairs tried", "trials"},
-              {"disagreements", "disagreements"},
-              {"fronts that differ", "differing fronts"}},
-             "same code");
+    give(lesson, "same code", std::move(figure));
 }
 
 /// Radii 2 and 1, centres 2 apart, as in lesson 4.
-void step_meeting_circle(Lesson& lesson) {
+void give_meeting_circle(Lesson& lesson) {
     constexpr int corners = 96;
     // listing: meeting circle
     const Sphere<3> a{Vec(0, 0, 0), 2};
@@ -247,28 +212,11 @@ void step_meeting_circle(Lesson& lesson) {
     add_label<3>(panel, viz::Role::note, plane->point, "plane");
     add_dot<3>(panel, viz::Role::contact, ratio->point);
     add_label<3>(panel, viz::Role::note, ratio->point, "ratio");
-    lesson.numbers["to plane"] = number(to_plane, 4, "m");
-    lesson.numbers["to ratio"] = number((ratio->point - a.centre).norm(), 4, "m");
-    lesson.numbers["circle radius"] = number(radius, 4, "m");
-    lesson.numbers["off circle"] = tiny(off, "m");
-    viz::Figure figure =
-        figure_of(std::move(panel), "Two spheres meet in a circle",
-                  "Two spheres of radius 2 m and 1 m, centres 2 m apart, and the circle in which "
-                  "their surfaces cross, with its centre on the line of the centres.");
-    figure.numbers = {{"circle's radius", lesson.numbers["circle radius"].text}};
-    add_step(lesson, "Where two spheres meet: a circle",
-             "In the plane two circles cross in two points. Turn that picture about the line of "
-             "the centres: the two points sweep out a **circle**, and the line through them a "
-             "plane. With radii of 2 m and 1 m, centres 2 m apart, that plane is {{number: to "
-             "plane}} from o_a, as in lesson 4, and by Pythagoras the circle has a radius of √(2² "
-             "− 1.75²) m = {{number: circle radius}}. Its points lie on both spheres to {{number: "
-             "off circle}}.\n\n"
-             "The contact point is on the line of the centres, in the plane of that circle or, by "
-             "the paper's equation 5, in the ratio of the radii, {{number: to ratio}} from o_a. "
-             "Two lengths along a line: the third dimension is not asked.",
-             std::move(figure),
-             {{"circle's radius", "circle radius"}, {"to its plane", "to plane"}},
-             "meeting circle");
+    give(lesson, "to plane", number(to_plane, 4, "m"));
+    give(lesson, "to ratio", number((ratio->point - a.centre).norm(), 4, "m"));
+    give(lesson, "circle radius", number(radius, 4, "m"));
+    give(lesson, "off circle", tiny(off, "m"));
+    give(lesson, "meeting circle", std::move(panel), {{"circle's radius", "circle radius"}});
 }
 
 }  // namespace
@@ -276,11 +224,11 @@ void step_meeting_circle(Lesson& lesson) {
 
 void make_circles_to_spheres(Lesson& lesson) {
     const spheres::Ring ring = spheres::make_ring();
-    spheres::step_ball(lesson);
-    spheres::step_same_code(lesson);
-    spheres::steps_fit(lesson, ring);
-    spheres::step_meeting_circle(lesson);
-    spheres::add_links(lesson, ring);
+    spheres::give_ball(lesson);
+    spheres::give_same_code(lesson);
+    spheres::give_fit(lesson, ring);
+    spheres::give_meeting_circle(lesson);
+    spheres::give_links(lesson, ring);
 }
 
 }  // namespace lessons

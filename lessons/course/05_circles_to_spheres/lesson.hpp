@@ -25,9 +25,9 @@ struct Ring {
 [[nodiscard]] Number share_of_diameter(double fraction);
 
 // Level by level, and what a level costs in the plane and in space (fit.cpp).
-void steps_fit(Lesson& lesson, const Ring& ring);
+void give_fit(Lesson& lesson, const Ring& ring);
 
 // Two links of a chain: apart, then colliding, then as shadows (links.cpp).
-void add_links(Lesson& lesson, const Ring& ring);
+void give_links(Lesson& lesson, const Ring& ring);
 
 }  // namespace lessons::spheres

@@ -25,9 +25,6 @@ struct Crate {
 /// Angular momentum I w about the centre of mass, world frame.
 [[nodiscard]] lod::Spin<3> momentum_of(const Body<3>& body);
 
-/// "(0.560, −0.277, 0.000)".
-[[nodiscard]] std::string vector_text(const Vec& v, int decimals = 3);
-
 /// The angle between two vectors [degrees].
 [[nodiscard]] double degrees_between(const Vec& a, const Vec& b);
 
@@ -35,6 +32,6 @@ struct Crate {
 [[nodiscard]] Number degrees(double angle, int decimals = 1);
 
 // Free rotation: the spin wanders, energy and angular momentum stay (tumbling.cpp).
-void add_tumbling(Lesson& lesson, const Crate& crate);
+void give_tumbling(Lesson& lesson, const Crate& crate);
 
 }  // namespace lessons::inertia

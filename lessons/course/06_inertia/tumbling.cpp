@@ -106,37 +106,21 @@ Body<3> spinning(const Crate& crate, const Vec& spin) {
 
 constexpr int many_steps = 10000;
 
-void step_wander(Lesson& lesson, const Crate& crate, const Drift& sound, const Vec& spin) {
+void give_wander(Lesson& lesson, const Crate& crate, const Drift& sound, const Vec& spin) {
     constexpr double seconds = 5;
     const Flight flight = fly(spinning(crate, spin), seconds);
-    lesson.numbers["start spin"] = {spin.x(), vector_text(spin, 1) + "\u00a0rad/s"};
-    lesson.numbers["spin angle"] = degrees(sound.spin_angle, 0);
-    lesson.numbers["momentum drift"] = tiny(sound.momentum);
-    viz::Figure figure =
-        figure_of(draw_instant(crate, flight, flight.bodies.size() - 1),
-                  "The spin wanders, the angular momentum stands still",
-                  "The crate after five seconds of free tumbling. The tip of the spin's arrow has "
-                  "drawn a loop; the arrow of the angular momentum is where it was.");
-    add_step(lesson, "Nothing pushes, and the spin wanders",
-             "Throw the crate up with a spin of {{number: start spin}} and let it be. Nothing "
-             "turns it, so its angular momentum L = I ω stands still in the room. But I turns with "
-             "the body, so ω has to change to make up for it: its tip draws the orange line, up to "
-             "{{number: spin angle}} away from where it began. In the plane I is one number, and "
-             "the spin of a free body never changes.\n\n"
-             "**Predict:** a program takes the change of ω at the beginning of a step, times the "
-             "length of the step. For the position of a ball that flies straight on that is exact. "
-             "What happens to "
-             "the energy of the crate?",
-             std::move(figure),
-             {{"spin turns by up to", "spin angle"}, {"L changes by", "momentum drift"}}, "wander");
+    give(lesson, "start spin", words(vector_text<3>(spin, 1) + "\u00a0rad/s", spin.x()));
+    give(lesson, "spin angle", degrees(sound.spin_angle, 0));
+    give(lesson, "momentum drift", tiny(sound.momentum));
+    give(lesson, "wander", draw_instant(crate, flight, flight.bodies.size() - 1));
 }
 
-void step_energy(Lesson& lesson, const Drift& sound, const Drift& naive) {
-    lesson.numbers["steps"] = count(many_steps);
-    lesson.numbers["seconds"] = number(many_steps * time_step, 0, "s");
-    lesson.numbers["sound energy"] = tiny(sound.energy);
-    lesson.numbers["naive energy"] = number(naive.energy_at_end, 2);
-    lesson.numbers["naive momentum"] = number(100 * naive.momentum, 0, "%");
+void give_energy(Lesson& lesson, const Drift& sound, const Drift& naive) {
+    give(lesson, "steps", count(many_steps));
+    give(lesson, "seconds", number(many_steps * time_step, 0, "s"));
+    give(lesson, "sound energy", tiny(sound.energy));
+    give(lesson, "naive energy", number(naive.energy_at_end, 2));
+    give(lesson, "naive momentum", number(100 * naive.momentum, 0, "%"));
     std::vector<viz::Curve> curves{naive.curve, sound.curve};
     curves[0].name = "explicit steps";
     curves[0].series = 1;
@@ -144,23 +128,7 @@ void step_energy(Lesson& lesson, const Drift& sound, const Drift& naive) {
     const viz::Axes axes{{"time [s]", viz::Scale::linear, {}, false},
                          {"energy / energy at the start", viz::Scale::linear, {}, false}};
     viz::Box view{{0, 0}, {many_steps * time_step, 1.1 * naive.energy_at_end}};
-    add_step(lesson, "Ten thousand steps",
-             "After {{number: steps}} steps of 1/120 s, {{number: seconds}} of tumbling, the naive "
-             "program has multiplied the energy by **{{number: naive energy}}**, and L is off by "
-             "{{number: naive momentum}}. Every step leaves along the tangent of a curve, and "
-             "ends a little outside of it.\n\n"
-             "lodlab solves each step for the middle: find the spin in whose direction the body "
-             "turns, such that it is the one that belongs to the *mean* of the angular momentum "
-             "before and after. This *implicit midpoint rule* keeps the energy exactly, and L too, "
-             "for any length of the step; what is left is rounding, {{number: sound energy}} of "
-             "the energy and {{number: momentum drift}} of L.\n\n"
-             "**Predict:** spin the crate about each of its three axes in turn, as exactly as you "
-             "can. Which of the three spins stays as it is?",
-             figure_of(viz::plot_panel("", axes, curves, view), "Who keeps the energy?",
-                       "Two curves of the energy over time: the explicit steps' rises steeply, the "
-                       "implicit midpoint rule's is flat at 1."),
-             {{"explicit: energy", "naive energy"}, {"midpoint: energy off by", "sound energy"}},
-             "energy");
+    give(lesson, "energy", viz::plot_panel("", axes, curves, view));
 }
 
 constexpr double turning = 3;   ///< about the axis [rad/s]
@@ -195,41 +163,26 @@ std::vector<double> crossings(const viz::Curve& curve) {
     return times;
 }
 
-void step_flip(Lesson& lesson, const Crate& crate) {
+void give_flip(Lesson& lesson, const Crate& crate) {
     const std::vector<viz::Curve> curves{spin_about(crate, 0, "x, the easiest"),
                                          spin_about(crate, 1, "y, the middle one"),
                                          spin_about(crate, 2, "z, the hardest")};
     const std::vector<double> flips = crossings(curves[1]);
-    lesson.numbers["flips"] = count(flips.size());
-    lesson.numbers["first flip"] = number(flips.at(0), 1, "s");
-    lesson.numbers["between flips"] = number(flips.at(1) - flips.at(0), 1, "s");
+    give(lesson, "flips", count(flips.size()));
+    give(lesson, "first flip", number(flips.at(0), 1, "s"));
+    give(lesson, "between flips", number(flips.at(1) - flips.at(0), 1, "s"));
     for (const auto& [curve, name] : {std::pair{0, "x"}, {2, "z"}}) {
         double most = 0;
         for (const viz::Point& p : curves[static_cast<std::size_t>(curve)].points)
             most = std::max(most, std::abs(p.y - turning));
-        lesson.numbers[std::string("wobble ") + name] = number(most, 4, "rad/s");
+        give(lesson, std::string("wobble ") + name, number(most, 4, "rad/s"));
     }
-    lesson.numbers["slip"] = number(100 * slip / turning, 0, "%");
-    lesson.numbers["turning"] = number(turning, 0, "rad/s");
+    give(lesson, "slip", number(100 * slip / turning, 0, "%"));
+    give(lesson, "turning", number(turning, 0, "rad/s"));
     const viz::Axes axes{{"time [s]", viz::Scale::linear, {}, false},
                          {"spin about that axis [rad/s]", viz::Scale::linear, {}, false}};
     const viz::Box view{{0, -1.25 * turning}, {watched, 1.25 * turning}};
-    add_step(lesson, "The middle axis will not have it",
-             "Three starts with {{number: turning}} about one axis of the body and a slip of "
-             "{{number: slip}} about the two others. About the easiest axis the spin changes "
-             "by no more than {{number: wobble x}}, about the hardest by no more than {{number: "
-             "wobble z}}. About the **middle** one it holds for a while, then the crate turns "
-             "over: after {{number: "
-             "first flip}}, and again every {{number: between flips}}, {{number: flips}} times in "
-             "this plot. An astronaut saw it in 1985 on a wing nut that flew off its screw: the "
-             "Dzhanibekov effect.\n\n"
-             "Nothing is wrong with the program: energy and angular momentum stand still all the "
-             "while. Two of the three spins are a ball in a bowl, the third is a ball on a saddle.",
-             figure_of(viz::plot_panel("", axes, curves, view), "Which spin stays?",
-                       "Three curves of the spin about the axis of the start. Those of the easiest "
-                       "and the hardest axis are flat, that of the middle axis jumps between plus "
-                       "and minus three."),
-             {{"first flip", "first flip"}, {"then every", "between flips"}}, "flip");
+    give(lesson, "flip", viz::plot_panel("", axes, curves, view));
 }
 
 /// The flight about the middle axis, with an arrow fixed to the crate along it.
@@ -238,8 +191,7 @@ viz::Figure draw_flip(const Crate& crate, const Flight& flight, std::size_t inst
     const Body<3>& body = flight.bodies[instant];
     const Vec up = lod::Space<3>::rotation(body.orientation).col(1);
     add_arrow<3>(panel, viz::Role::normal, 0.3 * up, 0.62 * up, "top");
-    viz::Figure figure = figure_of(std::move(panel), "A spin about the middle axis turns over",
-                                   "The tumbling crate with its spin and angular momentum.");
+    viz::Figure figure = figure_of(std::move(panel));
     const double time = static_cast<double>(instant) * steps_between_points * time_step;
     figure.numbers = {{"time", shown(time, 1) + " s"}};
     return figure;
@@ -249,26 +201,28 @@ void animate(Lesson& lesson, const Crate& crate) {
     constexpr std::size_t instants_a_picture = 4;  // 2/15 s of flight
     constexpr int held = 3;                        // frames
     constexpr double seconds = 8;
-    lesson.animation.title =
-        "The crate spins about its middle axis and turns over; L stands still, ω wanders";
-    lesson.animation.frames_per_second = 30;
+    const std::string title = video_words(lesson, "flip");
     Flight flight = fly(started_about(crate, 1), seconds);
     flight.spin_length = flight.momentum_length = 0.2;  // it spins faster than the other
     for (std::size_t i = 0; i < flight.bodies.size(); i += instants_a_picture)
-        lesson.animation.shots.push_back(
-            {[crate, flight, i] { return draw_flip(crate, flight, i); }, held});
+        lesson.animation.shots.push_back({[crate, flight, title, i] {
+                                              viz::Figure figure = draw_flip(crate, flight, i);
+                                              figure.title = title;
+                                              return figure;
+                                          },
+                                          held});
 }
 
 }  // namespace
 
-void add_tumbling(Lesson& lesson, const Crate& crate) {
+void give_tumbling(Lesson& lesson, const Crate& crate) {
     const Vec spin(2, 1.5, 1);
     const Body<3> start = spinning(crate, spin);
     const Drift sound = drift_over(start, many_steps, sound_step);
     const Drift naive = drift_over(start, many_steps, naive_step);
-    step_wander(lesson, crate, sound, spin);
-    step_energy(lesson, sound, naive);
-    step_flip(lesson, crate);
+    give_wander(lesson, crate, sound, spin);
+    give_energy(lesson, sound, naive);
+    give_flip(lesson, crate);
     animate(lesson, crate);
 }
 

@@ -1,0 +1,174 @@
+#include <algorithm>
+
+#include "lessons/embed/lines.hpp"
+#include "lessons/embed/source.hpp"
+#include "lessons/engine/lessons.hpp"
+#include "lessons/engine/sketch.hpp"
+#include "lodlab/core/base/error.hpp"
+
+namespace lessons {
+namespace {
+
+template <class Table>
+std::string names_in(const Table& table) {
+    std::string names;
+    for (const auto& [name, value] : table) names += (names.empty() ? "" : ", ") + name;
+    return names.empty() ? "none" : names;
+}
+
+template <class Table>
+const auto& find(const Table& table, const std::string& kind, const std::string& name,
+                 const std::string& where, int line) {
+    const auto found = table.find(name);
+    if (found == table.end())
+        refuse_line(where, line,
+                    "no " + kind + " '" + name + "'; the lesson's code gives: " + names_in(table));
+    return found->second;
+}
+
+/// The path of a source from lessons/course on.
+std::string short_path(std::string path) {
+    const std::size_t folder = path.rfind("lessons/course/");
+    return folder == std::string::npos ? path : path.substr(folder);
+}
+
+void remember(Lesson& lesson, const std::string& what, const std::string& name,
+              const Place& place) {
+    const std::string where = short_path(place.file) + ":" + std::to_string(place.line);
+    const auto [before, is_new] = lesson.given.emplace(what + name, where);
+    if (!is_new)
+        throw lod::Error(
+            lod::ErrorKind::input_refused,
+            where + ": the " + what + "'" + name + "' is given already, in " + before->second);
+}
+
+/// Fills a lesson's words, and remembers what they used.
+class Filler {
+  public:
+    explicit Filler(const Lesson& lesson) : lesson_(lesson) {}
+
+    /// A text that begins after `lines_before` lines, its numbers filled in; other tags stay.
+    std::string fill(const std::string& text, int lines_before) {
+        std::string filled;
+        std::size_t done = 0;
+        for (const Tag& tag : find_tags(text, where(), lines_before)) {
+            const int line = lines_before + line_of(text, tag.begin);
+            filled += text.substr(done, tag.begin - done);
+            done = tag.end;
+            if (tag.kind == "number")
+                filled += number(tag.name, tag.format, line);
+            else
+                filled += text.substr(tag.begin, tag.end - tag.begin);
+            if (tag.kind == "listing")
+                (void)find(lesson_.listings, tag.kind, tag.name, where(), line);
+            if (tag.kind == "figure") use_figure(tag.name, line);
+            if (tag.kind == "video" && lesson_.animation.shots.empty())
+                refuse_line(where(), line, "the lesson's code gives no video");
+        }
+        return filled + text.substr(done);
+    }
+    std::string fill(const KeyText& words) { return fill(words.text, words.line - 1); }
+
+    std::string number(const std::string& name, const std::string& format, int line) {
+        const Number& number = find(lesson_.numbers, "number", name, where(), line);
+        used_.insert("number " + name);
+        if (format.empty()) return number.text;
+        if (!number.is_counted)
+            refuse_line(where(), line, "'" + name + "' is words, which take no format");
+        return in_format(number, read_format(format));
+    }
+
+    void use_figure(const std::string& name, int line) {
+        (void)find(lesson_.figures, "figure", name, where(), line);
+        used_.insert("figure " + name);
+    }
+
+    /// Throws for what the code gave in vain.
+    void check_all_used() const {
+        for (const auto& [what, place] : lesson_.given)
+            if (!used_.count(what))
+                throw lod::Error(lod::ErrorKind::input_refused,
+                                 place + ": no text of " + where() + " uses the " + what +
+                                     "; use it there or take it away");
+    }
+
+  private:
+    [[nodiscard]] const std::string& where() const { return lesson_.script.where; }
+
+    const Lesson& lesson_;
+    std::set<std::string> used_;
+};
+
+Step filled_step(const StepScript& script, Filler& filler) {
+    Step step{script.title, trimmed(filler.fill(script.text, script.line)), script.figure, {}};
+    filler.use_figure(script.figure, script.figure_line);
+    for (const ShownTag& tag : script.shown)
+        step.numbers.push_back({tag.told, filler.number(tag.name, tag.format, tag.line)});
+    return step;
+}
+
+/// Gives a figure the words below its tag.
+void caption(Lesson& lesson, const std::string& name, const Words& words, Filler& filler) {
+    viz::Figure& figure = lesson.figures.at(name);
+    const int line = lesson.script.figures.at(name);
+    for (const auto& [key, said] : words) {
+        if (key != "title" && key != "alt")
+            refuse_line(lesson.script.where, said.line,
+                        "a figure has no '" + key + "'; it has a title and an alt");
+        (key == "title" ? figure.title : figure.alt) = filler.fill(said);
+    }
+    if (!words.count("title"))
+        refuse_line(lesson.script.where, line,
+                    "figure '" + name + "' has no title; add a line 'title: ...' below its tag");
+    if (figure.alt.empty())
+        refuse_line(lesson.script.where, line,
+                    "figure '" + name + "' has no alt text; add a line 'alt: ...' below its tag");
+}
+
+void check_video_words(const Lesson& lesson) {
+    for (const auto& [key, said] : lesson.script.video)
+        if (key != "title" && !lesson.said.count(key))
+            refuse_line(lesson.script.where, said.line,
+                        "the lesson's code asks for no words '" + key + "' of its video");
+}
+
+}  // namespace
+
+void give(Lesson& lesson, const std::string& name, Number number, Place place) {
+    remember(lesson, "number ", name, place);
+    lesson.numbers[name] = std::move(number);
+}
+
+void give(Lesson& lesson, const std::string& name, viz::Figure figure, Place place) {
+    remember(lesson, "figure ", name, place);
+    lesson.figures[name] = std::move(figure);
+}
+
+void give(Lesson& lesson, const std::string& name, viz::Panel panel, const Header& header,
+          Place place) {
+    viz::Figure figure = figure_of(std::move(panel));
+    for (const auto& [told, number] : header)
+        figure.numbers.push_back(
+            {told,
+             find(lesson.numbers, "number", number, short_path(place.file), place.line).text});
+    give(lesson, name, std::move(figure), place);
+}
+
+std::string video_words(Lesson& lesson, const std::string& key) {
+    const KeyText& said = find(lesson.script.video, "video's words", key, lesson.script.where, 1);
+    lesson.said.insert(key);
+    return Filler(lesson).fill(said);
+}
+
+void complete(Lesson& lesson) {
+    Filler filler(lesson);
+    lesson.text = filler.fill(lesson.script.text, 0);
+    for (const StepScript& step : lesson.script.steps)
+        lesson.steps.push_back(filled_step(step, filler));
+    for (const auto& [name, words] : lesson.script.words) caption(lesson, name, words, filler);
+    if (!lesson.animation.shots.empty()) lesson.animation.title = video_words(lesson, "title");
+    check_video_words(lesson);
+    filler.check_all_used();
+}
+
+}  // namespace lessons
