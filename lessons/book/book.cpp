@@ -104,7 +104,7 @@ class BookWriter {
         viz::WriteOptions how;
         how.theme = theme;
         how.quality = options_.video_quality;
-        how.small = true;
+        how.few_bytes = true;
         if (theme == viz::Theme::light) how.warn = options_.warn;  // once for both
         const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": video";
         how.progress = [&, before = 0](const viz::Progress& progress) mutable {

@@ -378,7 +378,7 @@ void write_video(const std::filesystem::path& path, const Animation& animation,
     av_log_set_level(AV_LOG_QUIET);
     const Encoder encoder = encoder_or_refuse(path, options);
     Film film(animation, options);
-    VideoFile file(path, encoder, film, plain_text(animation.title), options.small);
+    VideoFile file(path, encoder, film, plain_text(animation.title), options.few_bytes);
     if (encoder.codec->id == AV_CODEC_ID_GIF) {
         film.sample([&](const Image& image) { file.palette.sample(image); });
         file.palette.choose();

@@ -21,7 +21,7 @@ struct Progress {
 struct WriteOptions {
     Theme theme = Theme::light;
     Quality quality = Quality::p720;
-    bool small = false;  ///< a video in few bytes, for a page: lines stay clear, not every grain
+    bool few_bytes = false;  ///< a video in few bytes, for a page: lines stay clear, not every grain
     std::function<void(const Progress&)> progress;  ///< called after every drawn frame of a video
     std::function<void(const std::string&)> warn;   ///< told of a fallback ("no H.264 encoder ...")
 };
