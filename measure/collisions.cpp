@@ -85,11 +85,10 @@ void CollisionLog<Dim>::add(double time, int a, int b, std::span<const lod::Body
                             std::span<const lod::Body<Dim>> after) {
     if (a > b) std::swap(a, b);
     const double apart = shapes_.separation(a, before[at(a)], b, before[at(b)]);
-    const auto same = [&](const Collision<Dim>& other) {
-        return other.a == a && other.b == b && time - other.until <= pause_;
-    };
-    const auto found = std::find_if(collisions_.rbegin(), collisions_.rend(), same);
-    if (found == collisions_.rend()) {
+    const auto [latest, is_first] = latest_.try_emplace({a, b}, collisions_.size());
+    steps_ += is_first ? 0 : 1;
+    if (is_first || time - collisions_[latest->second].until > pause_) {
+        latest->second = collisions_.size();
         collisions_.push_back({a,
                                b,
                                time,
@@ -100,9 +99,10 @@ void CollisionLog<Dim>::add(double time, int a, int b, std::span<const lod::Body
                                {after[at(a)], after[at(b)]}});
         return;
     }
-    found->until = time;
-    found->penetration = std::max(found->penetration, -apart);
-    found->after = {after[at(a)], after[at(b)]};
+    Collision<Dim>& found = collisions_[latest->second];
+    found.until = time;
+    found.penetration = std::max(found.penetration, -apart);
+    found.after = {after[at(a)], after[at(b)]};
 }
 
 template <int Dim>
@@ -133,12 +133,15 @@ std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
                     pair.second, before, after);
         for (const lod::SweptImpact<Dim>& met : record.swept) {
             if (!(met.impulse > 0)) continue;
-            std::vector<lod::Body<Dim>> then = before;  // as its first impact of the frame finds it
-            for (const std::int32_t body : {met.a, met.b})
-                then[at(body)] =
+            // As its first impact of the frame finds them.
+            const std::array<std::int32_t, 2> bodies_met{met.a, met.b};
+            for (const std::int32_t body : bodies_met)
+                before[at(body)] =
                     lod::moved_freely(before[at(body)], met.time, run.settings.time_step);
-            log.add(static_cast<double>(k) * run.settings.time_step + met.time, met.a, met.b, then,
-                    after);
+            log.add(static_cast<double>(k) * run.settings.time_step + met.time, met.a, met.b,
+                    before, after);
+            for (const std::int32_t body : bodies_met)
+                scenes::put(run.steps[k].before[at(body)], before[at(body)]);
         }
     }
     std::vector<Collision<Dim>> collisions = log.collisions();

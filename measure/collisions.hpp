@@ -1,7 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "lodlab/core/tree/body.hpp"
@@ -56,11 +59,15 @@ class CollisionLog {
              std::span<const lod::Body<Dim>> after);
     /// In the order in which their first pushes came.
     [[nodiscard]] const std::vector<Collision<Dim>>& collisions() const { return collisions_; }
+    /// How many collisions `add` has looked at, in all.
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
   private:
     const BodyShapes<Dim>& shapes_;
     double pause_;
     std::vector<Collision<Dim>> collisions_;
+    std::map<std::pair<int, int>, std::size_t> latest_;  ///< of each pair, into collisions_
+    std::uint64_t steps_ = 0;
 };
 
 /// The collisions of a run by lodlab in order of time, the bodies as they were at its start (for

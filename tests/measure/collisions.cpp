@@ -48,6 +48,18 @@ double least_cost(const std::vector<double>& r, const std::vector<double>& s, st
 
 }  // namespace
 
+TEST_CASE("a push looks at one collision, however many there are", "[measure]") {
+    for (const int count : {100, 200, 400}) {
+        const GivenShapes shapes;
+        CollisionLog<2> log(shapes, 0.05);
+        const Bodies bodies(static_cast<std::size_t>(count) + 1, unit_body({0, 0}));
+        for (const double time : {1.0, 1.02, 2.0})  // each of a chain pushes the next
+            for (int k = 0; k < count; ++k) log.add(time, k, k + 1, bodies, bodies);
+        CHECK(log.collisions().size() == static_cast<std::size_t>(2 * count));
+        CHECK(log.steps() == static_cast<std::uint64_t>(2 * count));
+    }
+}
+
 TEST_CASE("pushes that follow each other closely are one collision", "[measure]") {
     GivenShapes shapes;
     CollisionLog<2> log(shapes, 0.05);
