@@ -13,7 +13,7 @@ namespace {
 
 CurveLevel level_of(const Outcomes& outcomes, std::size_t curve, std::size_t level) {
     std::vector<const Outcome*> all;
-    for (const ImpactOutcomes& impact : outcomes.impacts)
+    for (const ImpactSample& impact : outcomes.impacts)
         all.push_back(&impact.outcomes[curve * outcomes.plan.levels() + level]);
     const auto spread_by = [&](double Outcome::*field) {
         std::vector<double> values;

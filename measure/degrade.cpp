@@ -43,11 +43,11 @@ class Measurement {
     Measurement(const Plan& plan, std::span<const Kind<Dim>> kinds, const lod::Clock* clock)
         : plan_(plan), kinds_(kinds), clock_(clock) {}
 
-    ImpactOutcomes measure(int number) {
+    ImpactSample measure(int number) {
         approach_ = draw_approach<Dim>(kinds_, plan_.ensemble, static_cast<std::uint64_t>(number),
                                        plan_.time_step);
         find_entries();
-        ImpactOutcomes result{number, {}};
+        ImpactSample result{number, {}};
         for (const lod::ContactModel model : plan_.models)
             for (const lod::Response response : plan_.responses) {
                 const lod::TimeOfImpact<Dim>& touch = approach_.touch;

@@ -56,19 +56,19 @@ struct Plan {
 };
 
 /// One impact under every curve and level.
-struct ImpactOutcomes {
+struct ImpactSample {
     int number = 0;
     /// Curve by curve (each response for the first contact model, then for the next), level by
     /// level, the exact one last: curves() x levels() entries.
     std::vector<Outcome> outcomes;
 
-    friend bool operator==(const ImpactOutcomes&, const ImpactOutcomes&) = default;
+    friend bool operator==(const ImpactSample&, const ImpactSample&) = default;
 };
 
 /// Every outcome of a measurement or of one share of it, so that shares can be put together.
 struct Outcomes {
     Plan plan;
-    std::vector<ImpactOutcomes> impacts;  ///< by number
+    std::vector<ImpactSample> impacts;  ///< by number
 
     [[nodiscard]] bool complete() const {
         return impacts.size() == static_cast<std::size_t>(plan.impacts);

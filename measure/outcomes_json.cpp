@@ -91,7 +91,7 @@ Outcomes outcomes_from(const Json& json) {
         throw std::invalid_argument("it has another version");
     Outcomes outcomes{plan_from(json.at("plan")), {}};
     for (const Json& entry : json.at("impacts")) {
-        ImpactOutcomes impact{io::whole_number<int>(entry.at("number")), {}};
+        ImpactSample impact{io::whole_number<int>(entry.at("number")), {}};
         for (const Json& outcome : entry.at("outcomes"))
             impact.outcomes.push_back(outcome_from(outcome));
         if (impact.outcomes.size() != outcomes.plan.curves() * outcomes.plan.levels())
@@ -113,7 +113,7 @@ std::string outcomes_json(const Outcomes& outcomes) {
         ",\n \"outcome\": \"impulse_error, angle_error, spin_error, gap, gap_bound, delay, "
         "tests, microseconds, missed\",\n \"impacts\": [";
     const char* separator = "\n  ";
-    for (const ImpactOutcomes& impact : outcomes.impacts) {
+    for (const ImpactSample& impact : outcomes.impacts) {
         Json list = Json::array();
         for (const Outcome& outcome : impact.outcomes) list.push_back(outcome_json(outcome));
         text += separator;

@@ -97,7 +97,7 @@ TEMPLATE_TEST_CASE_SIG("the exact level is exact and no gap is beyond its bound"
     // In space a frame goes back in time by a step of free rotation, which undoes a step to second
     // order in the angle, some 0.003.
     const double tolerance = Dim == 2 ? 1e-9 : 1e-4;
-    for (const measure::ImpactOutcomes& impact : outcomes.impacts)
+    for (const measure::ImpactSample& impact : outcomes.impacts)
         for (std::size_t i = 0; i < impact.outcomes.size(); ++i) {
             const measure::Outcome& outcome = impact.outcomes[i];
             CHECK(outcome.gap <= outcome.gap_bound);
@@ -147,7 +147,7 @@ TEST_CASE("shares put together have the bits of one run, through files too") {
 TEST_CASE("frames that are skipped would have changed nothing") {
     const measure::Plan settings = plan(2, 5);
     const auto outcomes = measure::degrade<2>(settings, kinds<2>());
-    for (const measure::ImpactOutcomes& impact : outcomes.impacts) {
+    for (const measure::ImpactSample& impact : outcomes.impacts) {
         const auto approach = measure::draw_approach<2>(kinds<2>(), settings.ensemble,
                                                         static_cast<std::uint64_t>(impact.number),
                                                         settings.time_step);
