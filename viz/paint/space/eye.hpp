@@ -43,12 +43,12 @@ struct Eye {
                 (view.high.y - size * p.y()) / metres_per_pixel};
     }
     /// The line of sight through a pixel: from + z along, z the depth.
-    struct Sight {
+    struct Ray {
         lod::Vector<3> from;
         lod::Vector<3> along;
         [[nodiscard]] lod::Vector<3> at(double z) const { return from + z * along; }
     };
-    [[nodiscard]] Sight sight(double pixel_x, double pixel_y) const {
+    [[nodiscard]] Ray ray(double pixel_x, double pixel_y) const {
         const double x = view.low.x + pixel_x * metres_per_pixel;
         const double y = view.high.y - pixel_y * metres_per_pixel;
         if (!perspective) return {{x, y, 0}, {0, 0, 1}};

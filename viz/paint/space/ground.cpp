@@ -67,12 +67,12 @@ double GroundPicture::shade(double x, double z) const {
            t * ((1 - s) * at[lattice] + s * at[lattice + 1]);
 }
 
-GroundPicture::Seen GroundPicture::look(const Eye::Sight& sight) const {
-    const double falls = -sight.along.dot(world_up_);
+GroundPicture::Seen GroundPicture::look(const Eye::Ray& ray) const {
+    const double falls = -ray.along.dot(world_up_);
     if (falls < least_slope) return {};
-    const double depth = (eye_.origin.y() + sight.from.dot(world_up_) - height_) / falls;
+    const double depth = (eye_.origin.y() + ray.from.dot(world_up_) - height_) / falls;
     if (depth <= eye_.nearest_depth()) return {};
-    const Vector3 point = eye_.world(sight.at(depth));
+    const Vector3 point = eye_.world(ray.at(depth));
     const double x = point.x() - centre_.x();
     const double z = point.z() - centre_.z();
     const double fade = std::clamp(1.7 * (1 - std::hypot(x, z) / reach_), 0.0, 1.0);
@@ -80,7 +80,7 @@ GroundPicture::Seen GroundPicture::look(const Eye::Sight& sight) const {
     const double dark = fade * shadow_strength_ * shade(x / reach_, z / reach_);
     // The width of a line on the ground that looks as wide as on the page, by direction.
     const double pixel = eye_.metres_per_pixel / eye_.magnification(depth);
-    const double slope = falls / sight.along.norm();
+    const double slope = falls / ray.along.norm();
     const auto line_at = [&](double v, const Vector3& across) {
         const double away = std::abs(v / spacing_ - std::round(v / spacing_)) * spacing_;
         const double seen = std::abs(across.dot(eye_.axes.right));

@@ -17,7 +17,7 @@ class GroundPicture {
         lod::Vector<3> colour = lod::Vector<3>::Zero();
         double alpha = 0;
     };
-    [[nodiscard]] Seen look(const Eye::Sight& sight) const;
+    [[nodiscard]] Seen look(const Eye::Ray& ray) const;
 
   private:
     [[nodiscard]] double shade(double x, double z) const;  ///< from -1 to 1 over the reach

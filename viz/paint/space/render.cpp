@@ -232,18 +232,18 @@ class Painter {
     }
 
     [[nodiscard]] Hits::Blend look(int sample_x, int sample_y) {
-        const Eye::Sight sight = eye_.sight((sample_x + 0.5) / samples, (sample_y + 0.5) / samples);
+        const Eye::Ray ray = eye_.ray((sample_x + 0.5) / samples, (sample_y + 0.5) / samples);
         const int x = sample_x / samples;
         const int y = sample_y / samples;
         hits_.clear();
         const std::vector<int>& near = tiles_.at(x, y);
         nearest_.assign(families_.size(), Hit{});
-        for (const int i : near) hit_ball(sight, lit_[static_cast<std::size_t>(i)], near);
+        for (const int i : near) hit_ball(ray, lit_[static_cast<std::size_t>(i)], near);
         for (const Hit& hit : nearest_) hits_.add(hit);
         for (const std::size_t i : active_)
             if (layers_[i].covers(x)) hit_layer(layers_[i].at(sample_x, sample_y), coats_[i]);
         if (ground_) {
-            const GroundPicture::Seen seen = ground_->look(sight);
+            const GroundPicture::Seen seen = ground_->look(ray);
             hits_.add({seen.depth, seen.colour, seen.alpha, false});
         }
         return hits_.blend();
@@ -256,10 +256,10 @@ class Painter {
                    line ? coat.line : coat.fill, true});
     }
 
-    void hit_ball(const Eye::Sight& sight, const Lit& ball, const std::vector<int>& near) {
-        const Vector3 to = ball.centre - sight.from;
-        const double a = sight.along.squaredNorm();
-        const double b = to.dot(sight.along);
+    void hit_ball(const Eye::Ray& ray, const Lit& ball, const std::vector<int>& near) {
+        const Vector3 to = ball.centre - ray.from;
+        const double a = ray.along.squaredNorm();
+        const double b = to.dot(ray.along);
         const double miss2 = std::max(0.0, to.squaredNorm() - b * b / a);
         const double half2 = ball.radius * ball.radius - miss2;
         if (half2 < 0) return;
@@ -274,13 +274,13 @@ class Painter {
             hit = {depth, ball.shades.outline, ball.opacity * ball.how.line, true};
             return;
         }
-        const Vector3 point = sight.at(depth);
+        const Vector3 point = ray.at(depth);
         const Vector3 normal = (point - ball.centre) / ball.radius;
         if (ball.how.meets && on_cut(ball, normal, point, pixel, near)) {
             hit = {depth, cut_ink_, ball.opacity, true};
             return;
         }
-        const double turned = 1 - std::abs(normal.dot(sight.along)) / std::sqrt(a);
+        const double turned = 1 - std::abs(normal.dot(ray.along)) / std::sqrt(a);
         const double fill = ball.how.fill + (ball.how.rim - ball.how.fill) * turned * turned;
         hit = {depth, ball.shades.at(normal.dot(light_)), ball.opacity * fill, true};
     }
