@@ -16,6 +16,12 @@ struct WeighedColour {
 
 /// The 255 colours that serve a whole GIF best, found from a sample of its frames, and the nearest
 /// one for every pixel. No dithering: flat inks stay flat, and the file small.
+///
+/// libavfilter's palettegen and paletteuse were tried instead (5.1, dither=none): nobody could tell
+/// the pictures apart, the mean error was less (0.4 for 0.5 of 255 in the plane, 0.8 for 2.0 in
+/// dark space) and the worst larger (37 for 23), but files grew by 8 % in the plane and by 26 to 32
+/// % in space, and the library brings 17 packages of 59 MB that every start of the program would
+/// load.
 class GifPalette {
   public:
     static constexpr int colours = 255;  ///< one of 256 is left for "as before"
