@@ -34,7 +34,10 @@ template <int Dim, DistanceFieldOf<Dim> Field>
                                                         std::span<const Vector<Dim>> points,
                                                         double size, std::uint64_t seed,
                                                         const CoverSettings& settings) {
-    // The starts compete on a few of the points; the finalists have to hold them all.
+    // The starts compete on a few of the points and in a quarter of the rounds; the finalists have
+    // to hold them all. With 200 or 800 points trees are as good (3.2 instead of 3.1 % for blob,
+    // as in Descent); with half the rounds they took up to twice as long and gained 0.4 % for a
+    // gear, with an eighth a blob's leaves stood out by 5.2 %.
     constexpr std::size_t most_for_starts = 400;
     const std::size_t stride = 1 + points.size() / most_for_starts;
     std::vector<Vector<Dim>> few;
@@ -136,6 +139,8 @@ template <int Dim, DistanceFieldOf<Dim> Field>
                 detail::look_ahead<Dim>(field, points, owners, cover.balls.size(), settings.count,
                                         settings.foresight_starts, seed);
             const double worst = *std::max_element(next.begin(), next.end());
+            // Half of three or twice as much: the same trees of gear:7 and blob, within 0.03 % of
+            // the diameter for L (depth 2, effort 1).
             const double worth = cover.protrusion + 3 * worst;
             if (worth < least) {
                 least = worth;

@@ -231,6 +231,10 @@ class Grower {
     /// twice what the worst of a first attempt to divide those pieces would. One ball over a
     /// pocket, or from tip to tip, may stand out no more than smaller balls would, but keeps all
     /// the shape to itself and leaves the next level where this one was.
+    ///
+    /// Tried in the plane, % of the diameter that level 3 stands out by (gear:9, L, star:5, comb,
+    /// cross): not at all 2.93 1.52 22.76 3.32 1.89, once 1.83 1.52 2.42 4.88 1.89, twice
+    /// 1.92 1.20 2.42 4.88 1.89, four times 3.06 1.14 2.42 6.04 1.89.
     double cost_of(const Piece& owned, const Cover<Dim>& cover, bool look_ahead) const {
         double worst = 0;
         double next = 0;

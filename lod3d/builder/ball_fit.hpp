@@ -6,6 +6,10 @@
 
 namespace lod3d {
 
+/// No number is derived. Halved and doubled, as in lod::detail::Descent: rounds 5.49 5.28 4.54 and
+/// 5.25 4.62 3.69 %, starts 5.29 4.60 4.03 and 5.17 4.50 3.14 % (gear:7 took 0.7 s instead of 0.4),
+/// spacing 5.21 4.23 4.27 % (three times as long) and 5.28 4.69 3.51 %; easy_share made next to no
+/// difference there.
 struct BallFitSettings {
     /// The search for a cover of a piece that is easy to divide; its count is the branching.
     lod::CoverSettings quick{.starts = 24, .rounds = 300, .finalists = 1};
