@@ -127,7 +127,7 @@ struct SpaceShapes {
     };
 
     static constexpr Vocabulary words{"volume", "m^3", "m^5", "spheres",
-                                 "obj, ply, stl, off, 3ds, gltf, glb"};
+                                      "obj, ply, stl, off, 3ds, gltf, glb"};
 
     /// A mesh file or a generator. Throws lod::Error as lod3d::load_mesh, lod3d::make_solid and
     /// lod3d::generate do, and for a drawing or a text.

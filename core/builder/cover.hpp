@@ -148,6 +148,8 @@ template <int Dim, DistanceFieldOf<Dim> Field>
             }
             for (std::size_t p = 0; p < points.size(); ++p) {
                 const double share = (std::max)(next[owners[p]] / worst, 0.25);
+                // The same trees with a growth of 2.0 (as above), and with 1.0 others that are as
+                // good: leaves 4.89, 4.60 and 2.84 % instead of 4.94, 4.56 and 2.74 %.
                 const double weight = 1.2 * std::sqrt(share) * search.weight(p);
                 search.set_weight(p, static_cast<float>(std::clamp(weight, 0.25, 4.0)));
             }

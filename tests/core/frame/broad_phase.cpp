@@ -106,7 +106,7 @@ TEMPLATE_TEST_CASE_SIG("rows and sheets of bodies cost linear time along every a
             bodies.push_back(disc<Dim>(1, 0.4, {0, 0}));
             bodies.back().position = Vector<Dim>::Zero();
             bodies.back().position[axis] = i % side;
-            bodies.back().position[(axis + 1) % Dim] = i / side; 
+            bodies.back().position[(axis + 1) % Dim] = i / side;
         }
         for (std::size_t i = bodies.size() - 1; i > 0; --i)  // in no order
             std::swap(bodies[i],
