@@ -1,5 +1,6 @@
 #include "lodlab/core/builder/certify.hpp"
 
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/lod2d/builder/build_tree.hpp"
 #include "lodlab/lod2d/builder/piece.hpp"
