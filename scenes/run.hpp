@@ -68,7 +68,7 @@ inline constexpr std::chrono::nanoseconds time_of_a_node_pair{250};
 /// Runs the bodies for options.frames frames. The same bodies and options give the same bits,
 /// except with milliseconds; such a run has the cuts with which it can be replayed. Throws
 /// lod::Error (limit exceeded) when a body leaves the range that numbers and pictures hold, and
-/// lod::Interrupted when a signal asks to stop.
+/// lod::Interrupted when stop_requested is set.
 template <int Dim>
 [[nodiscard]] Run<Dim> run(std::vector<lod::Body<Dim>> bodies, const RunOptions& options);
 

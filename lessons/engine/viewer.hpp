@@ -28,8 +28,8 @@ class KeyboardMode {
     Saved* saved_;
 };
 
-/// The next byte of a terminal, or -1 at its end. Throws lod::Interrupted when a signal asks to
-/// stop.
+/// The next byte of a terminal, or -1 at its end. Throws lod::Interrupted when stop_requested is
+/// set.
 [[nodiscard]] int read_key(int terminal);
 
 /// Whether another byte follows at once: tells the Escape key from an arrow key's sequence.

@@ -24,7 +24,7 @@ class Film {
     void sample(const std::function<void(const Image&)>& see) const;
 
     /// Every picture in order, the number of its first frame, and how many frames it stands.
-    /// Throws lod::Interrupted when a signal asks to stop, lod::Error (input refused) for a picture
+    /// Throws lod::Interrupted when stop_requested is set, lod::Error (input refused) for a picture
     /// of another size.
     void play(const std::function<void(const Image&, int number, int frames)>& show) const;
 

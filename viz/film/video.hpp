@@ -10,7 +10,7 @@ namespace viz {
 
 /// MP4 (H.264), WebM (VP9) or GIF by the path's ending; a file that is complete or absent, the same
 /// bytes for the same input. Drawn frame by frame. Throws as write_png does, lod::Error (not
-/// installed) for a missing encoder, and lod::Interrupted when a signal asks the program to stop;
+/// installed) for a missing encoder, and lod::Interrupted when stop_requested is set;
 /// nothing is left behind then.
 void write_video(const std::filesystem::path& path, const Animation& animation,
                  const WriteOptions& options);
