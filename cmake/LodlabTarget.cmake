@@ -8,6 +8,9 @@ target_compile_options(lodlab_settings INTERFACE -ffp-contract=off)
 add_library(lodlab_warnings INTERFACE)
 target_compile_options(lodlab_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
+if(CMAKE_UNITY_BUILD)  # sources compiled together see each other's helpers, and are no main file
+  target_compile_options(lodlab_warnings INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+endif()
 
 # Every library's headers are included as <lodlab/NAME/header.hpp>, here and where they are installed.
 set(lodlab_includes ${PROJECT_BINARY_DIR}/include)

@@ -6,14 +6,11 @@
 #include <set>
 #include <utility>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/exact/time_of_impact.hpp"
 
 namespace measure {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// The indices of the collisions of each pair of bodies, in order of time.
 template <int Dim>
@@ -21,7 +18,7 @@ std::map<std::pair<int, int>, std::vector<int>> by_pair(
     std::span<const Collision<Dim>> collisions) {
     std::map<std::pair<int, int>, std::vector<int>> lists;
     for (int i = 0; i < static_cast<int>(collisions.size()); ++i)
-        lists[{collisions[at(i)].a, collisions[at(i)].b}].push_back(i);
+        lists[{collisions[lod::at(i)].a, collisions[lod::at(i)].b}].push_back(i);
     return lists;
 }
 
@@ -74,7 +71,7 @@ template <int Dim>
 std::vector<double> times_of(std::span<const Collision<Dim>> collisions,
                              const std::vector<int>& chosen) {
     std::vector<double> times;
-    for (const int i : chosen) times.push_back(collisions[at(i)].time);
+    for (const int i : chosen) times.push_back(collisions[lod::at(i)].time);
     return times;
 }
 
@@ -84,7 +81,7 @@ template <int Dim>
 void CollisionLog<Dim>::add(double time, int a, int b, std::span<const lod::Body<Dim>> before,
                             std::span<const lod::Body<Dim>> after) {
     if (a > b) std::swap(a, b);
-    const double apart = shapes_.separation(a, before[at(a)], b, before[at(b)]);
+    const double apart = shapes_.separation(a, before[lod::at(a)], b, before[lod::at(b)]);
     const auto [latest, is_first] = latest_.try_emplace({a, b}, collisions_.size());
     steps_ += is_first ? 0 : 1;
     if (is_first || time - collisions_[latest->second].until > pause_) {
@@ -95,14 +92,14 @@ void CollisionLog<Dim>::add(double time, int a, int b, std::span<const lod::Body
                                time,
                                std::max(0.0, apart),
                                std::max(0.0, -apart),
-                               {before[at(a)], before[at(b)]},
-                               {after[at(a)], after[at(b)]}});
+                               {before[lod::at(a)], before[lod::at(b)]},
+                               {after[lod::at(a)], after[lod::at(b)]}});
         return;
     }
     Collision<Dim>& found = collisions_[latest->second];
     found.until = time;
     found.penetration = std::max(found.penetration, -apart);
-    found.after = {after[at(a)], after[at(b)]};
+    found.after = {after[lod::at(a)], after[lod::at(b)]};
 }
 
 template <int Dim>
@@ -124,7 +121,7 @@ std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
         std::map<std::pair<int, int>, double> pushed;  // and when, from the frame's instant
         for (std::size_t c = 0; c < record.impacts.size(); ++c) {
             if (!(record.impulses[c] > 0)) continue;
-            const lod::PairRecord& pair = record.pairs[at(record.impacts[c].pair)];
+            const lod::PairRecord& pair = record.pairs[lod::at(record.impacts[c].pair)];
             pushed[{pair.bodies.a, pair.bodies.b}] =
                 pair.finest == lod::Finest::backtrack ? pair.impact_time : 0;
         }
@@ -136,12 +133,12 @@ std::vector<Collision<Dim>> collisions_of(const scenes::Run<Dim>& run,
             // As its first impact of the frame finds them.
             const std::array<std::int32_t, 2> bodies_met{met.a, met.b};
             for (const std::int32_t body : bodies_met)
-                before[at(body)] =
-                    lod::moved_freely(before[at(body)], met.time, run.settings.time_step);
+                before[lod::at(body)] =
+                    lod::moved_freely(before[lod::at(body)], met.time, run.settings.time_step);
             log.add(static_cast<double>(k) * run.settings.time_step + met.time, met.a, met.b,
                     before, after);
             for (const std::int32_t body : bodies_met)
-                scenes::put(run.steps[k].before[at(body)], before[at(body)]);
+                scenes::put(run.steps[k].before[lod::at(body)], before[lod::at(body)]);
         }
     }
     std::vector<Collision<Dim>> collisions = log.collisions();

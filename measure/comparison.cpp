@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/measure/plane_bodies.hpp"
 
@@ -18,10 +19,6 @@ using Shapes = std::span<const lod2d::Shape* const>;
 constexpr double most_units_per_metre = 4096;
 constexpr double least_step = 1e-5;  ///< [s]
 constexpr double first_push = 0;     ///< no pause: pushes are compared, not what follows them
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Reports shares of a whole, part after part.
 class Parts {
@@ -133,8 +130,8 @@ std::vector<FirstImpact> pairs_that_meet_first(const Comparison& comparison,
 
 void answer(FirstImpact& impact, Bodies bodies, Shapes shapes, const ComparisonOptions& options,
             std::size_t levels) {
-    const lod::Body<2>& a = bodies[at(impact.a)];
-    const lod::Body<2>& b = bodies[at(impact.b)];
+    const lod::Body<2>& a = bodies[lod::at(impact.a)];
+    const lod::Body<2>& b = bodies[lod::at(impact.b)];
     const double end = static_cast<double>(options.frames) * options.settings.time_step;
     const auto renamed = [&](std::optional<Collision<2>> collision) {
         if (collision) {
@@ -144,7 +141,7 @@ void answer(FirstImpact& impact, Bodies bodies, Shapes shapes, const ComparisonO
         return collision;
     };
     impact.exact = renamed(exact_collision(a, b, options.settings.response, end));
-    const lod2d::Shape* const two[] = {shapes[at(impact.a)], shapes[at(impact.b)]};
+    const lod2d::Shape* const two[] = {shapes[lod::at(impact.a)], shapes[lod::at(impact.b)]};
     const PlaneBodies planar(two);
     // A level that has not pushed by then lets them pass.
     double horizon = end;

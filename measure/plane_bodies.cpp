@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/lod2d/shape/overlap.hpp"
 
 namespace measure {
 namespace {
-
-std::size_t at(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// How deep the deepest corner of one outline lies within another; both in the world frame.
 double deepest_corner(const lod2d::BoundaryIndex& of, const lod2d::BoundaryIndex& within) {
@@ -38,13 +35,13 @@ PlaneBodies::PlaneBodies(std::span<const lod2d::Shape* const> shapes) {
 }
 
 double PlaneBodies::size(int body) const {
-    return sizes_[at(body)];
+    return sizes_[lod::at(body)];
 }
 
 double PlaneBodies::separation(int a, const lod::Body<2>& state_a, int b,
                                const lod::Body<2>& state_b) const {
-    const auto outline_a = outlines_[at(a)].carried({state_a.position, state_a.orientation});
-    const auto outline_b = outlines_[at(b)].carried({state_b.position, state_b.orientation});
+    const auto outline_a = outlines_[lod::at(a)].carried({state_a.position, state_a.orientation});
+    const auto outline_b = outlines_[lod::at(b)].carried({state_b.position, state_b.orientation});
     const double distance = lod2d::distance(outline_a, outline_b);
     if (distance > 0) return distance;
     return -std::max(deepest_corner(outline_a, outline_b), deepest_corner(outline_b, outline_a));

@@ -13,8 +13,8 @@
 namespace scenes {
 namespace {
 
-constexpr double most_metres = 1e9;
-constexpr double most_speed = 1e9;  // m/s and rad/s
+constexpr double runaway_metres = 1e9;
+constexpr double runaway_speed = 1e9;  // m/s and rad/s
 
 std::chrono::nanoseconds nanoseconds(double milliseconds) {
     return std::chrono::nanoseconds(static_cast<std::int64_t>(milliseconds * 1e6));
@@ -36,8 +36,8 @@ template <int Dim>
 void check_range(std::span<const lod::Body<Dim>> bodies, std::size_t frame) {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const lod::Body<Dim>& body = bodies[i];
-        if (body.position.norm() < most_metres && body.velocity.norm() < most_speed &&
-            body.spin.norm() < most_speed)
+        if (body.position.norm() < runaway_metres && body.velocity.norm() < runaway_speed &&
+            body.spin.norm() < runaway_speed)
             continue;
         throw lod::Error(lod::ErrorKind::limit_exceeded,
                          "frame " + std::to_string(frame) + ": body number " +

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/arguments/misused.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/sphere_files.hpp"
 #include "lodlab/viz/film/write.hpp"
@@ -57,10 +58,6 @@ constexpr Needed needed[] = {
     {"lesson", "--out", "where the pictures of a lesson go", has_number,
      "name one, as in lodlab lesson 3"},
 };
-
-[[noreturn]] void misused(const std::string& line) {
-    throw lod::Error(lod::ErrorKind::usage, line);
-}
 
 bool has_word(std::string_view words, std::string_view word) {
     const std::string between = ' ' + std::string(words) + ' ';

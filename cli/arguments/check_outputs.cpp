@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "cli/arguments/misused.hpp"
 #include "cli/arguments/named_files.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/files/output_file.hpp"
@@ -18,10 +19,6 @@ namespace cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-[[noreturn]] void misused(const std::string& line) {
-    throw lod::Error(lod::ErrorKind::usage, line);
-}
 
 void check_ending(const std::string& path, const Formats& formats) {
     std::vector<std::string> endings{"png", "svg", "pdf", "json"};

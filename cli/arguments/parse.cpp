@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "cli/arguments/check_options.hpp"
+#include "cli/arguments/misused.hpp"
 #include "cli/arguments/version.hpp"
 #include "cli/terminal/output.hpp"
 #include "lodlab/core/base/error.hpp"
@@ -16,10 +17,6 @@
 
 namespace cli {
 namespace {
-
-[[noreturn]] void misused(const std::string& line) {
-    throw lod::Error(lod::ErrorKind::usage, line);
-}
 
 /// One of several words, with the nearest one named when none fits.
 CLI::Validator one_of(std::vector<std::string_view> words) {

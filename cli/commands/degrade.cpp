@@ -5,6 +5,7 @@
 
 #include "cli/arguments/check_outputs.hpp"
 #include "cli/arguments/command.hpp"
+#include "cli/arguments/misused.hpp"
 #include "cli/stage/pictures.hpp"
 #include "cli/stage/staging.hpp"
 #include "cli/terminal/dimension.hpp"
@@ -32,10 +33,6 @@ struct Usual {
 };
 constexpr Usual usual_in_plane{"box,L,star:5,star:9", 4, 6};
 constexpr Usual usual_in_space{"box,L,ring", 8, 3};
-
-[[noreturn]] void misused(const std::string& line) {
-    throw lod::Error(lod::ErrorKind::usage, line);
-}
 
 template <class Choice>
 std::vector<Choice> choices_in(const std::string& text, const char* what) {

@@ -104,18 +104,18 @@ std::to_chars_result to_chars(char* first, char* last, double value, std::chars_
 }  // namespace by_printf
 
 #if defined(__cpp_lib_to_chars) && __cpp_lib_to_chars >= 201611L
-namespace chosen = std;
+namespace available = std;
 #else
-namespace chosen = by_printf;
+namespace available = by_printf;
 #endif
 
 std::to_chars_result to_chars(char* first, char* last, double value) {
-    return chosen::to_chars(first, last, value);
+    return available::to_chars(first, last, value);
 }
 
 std::to_chars_result to_chars(char* first, char* last, double value, std::chars_format format,
                               int precision) {
-    return chosen::to_chars(first, last, value, format, precision);
+    return available::to_chars(first, last, value, format, precision);
 }
 
 }  // namespace lod

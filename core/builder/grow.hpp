@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/builder/piece.hpp"
@@ -137,7 +138,7 @@ class Grower {
             // Leaves cost nothing: their share of the work is the node's above.
             const bool last = ends || levels_left == 1;
             if (levels_left > 0 || settings_.depth == 0)
-                report(last ? work_below_[as_index(levels_left)] : 1);
+                report(last ? work_below_[at(levels_left)] : 1);
         }
         if (levels_left == 1) divide_worst_again(divisions);
         std::vector<Owned> next;
@@ -183,7 +184,7 @@ class Grower {
         }
         if (levels_left > 1)
             report((settings_.branching - static_cast<double>(pieces.size())) *
-                   work_below_[as_index(levels_left - 1)]);
+                   work_below_[at(levels_left - 1)]);
     }
 
     /// From all starts, the cover whose worst ball costs least; while the parent stands out far,
@@ -323,8 +324,6 @@ class Grower {
         done_ += work;
         if (settings_.progress) settings_.progress((std::min)(1.0, done_ / work_below_.back()));
     }
-
-    static std::size_t as_index(int i) { return static_cast<std::size_t>(i); }
 
     const Strategy& strategy_;
     const GrowSettings& settings_;

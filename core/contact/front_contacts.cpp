@@ -4,14 +4,11 @@
 #include <tuple>
 #include <utility>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/refill.hpp"
 
 namespace lod {
 namespace {
-
-std::size_t at(std::int32_t index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// The contact of two nodes, each with the mean normal of its side of their patch.
 template <int Dim, class Side>

@@ -222,11 +222,11 @@ Manifold<Dim> crossing(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const A
 
 /// A facet, with room for what clipping adds.
 template <int Dim>
-struct Facet {
+struct ContactFace {
     std::array<Vector<Dim>, 2 * most_hull_corners<Dim>> corners;
     std::size_t count = 0;
 
-    Facet(const PosedHull<Dim>& hull, std::size_t face) {
+    ContactFace(const PosedHull<Dim>& hull, std::size_t face) {
         for (const std::int32_t corner : hull.body.loop(face))
             corners[count++] = hull.corners[static_cast<std::size_t>(corner)];
     }
@@ -322,8 +322,8 @@ std::optional<Manifold<Dim>> meet(const PosedHull<Dim>& a, const PosedHull<Dim>&
     const PosedHull<Dim>& other = axis.of_b ? a : b;
     const Vector<Dim>& normal = own.normals[axis.face];
     const double offset = own.offsets[axis.face];
-    const Facet<Dim> face(own, axis.face);
-    Facet<Dim> facet(other, facing(other, normal));
+    const ContactFace<Dim> face(own, axis.face);
+    ContactFace<Dim> facet(other, facing(other, normal));
     for (std::size_t i = 0; i < face.count; ++i) {
         const Vector<Dim>& to = face.corners[(i + 1) % face.count];
         const Vector<Dim> side = Space<Dim>::side_normal(to - face.corners[i], normal);

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/refill.hpp"
 
 namespace lod {
 namespace {
-
-std::size_t at(std::int32_t index) {
-    return static_cast<std::size_t>(index);
-}
 
 template <int Dim>
 Body<Dim> reversed(Body<Dim> body) {

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lodlab/core/base/at.hpp"
+
 namespace lod {
 namespace {
-
-std::size_t at(std::int32_t index) {
-    return static_cast<std::size_t>(index);
-}
 
 /// Approach of the centres of mass [m/s]; negative when they part.
 template <int Dim>

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <numbers>
+
 namespace lod {
+
+constexpr double full_turn = 2 * std::numbers::pi;  ///< [rad]
 
 struct SineCosine {
     double sine;

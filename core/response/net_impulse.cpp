@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/refill.hpp"
 
 namespace lod {
@@ -18,10 +19,6 @@ constexpr double settled_share = 1e-12;
 /// share. Jacobi's method on the scales then gains about two digits a sweep.
 constexpr double lean_share = 0.01;
 constexpr int lean_sweeps = 8;
-
-std::size_t at(std::int32_t index) {
-    return static_cast<std::size_t>(index);
-}
 
 }  // namespace
 

@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/refill.hpp"
 #include "lodlab/core/response/gauss_seidel.hpp"
 
 namespace lod {
-namespace {
-
-std::size_t at(std::int32_t index) {
-    return static_cast<std::size_t>(index);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 template <int Dim>
 ResponseReport Resolver<Dim>::resolve(Response response, Impacts impacts, Bodies bodies,

@@ -11,14 +11,14 @@ namespace lod2d {
 namespace {
 
 using Disc = lod::Sphere<2>;
-constexpr double turn = 2 * std::numbers::pi;
 
 struct Interval {
     double from;
     double to;
 };
 
-/// Adds the angles of `own` that the other disc covers, within [0, turn]; true if that is all.
+/// Adds the angles of `own` that the other disc covers, within [0, lod::full_turn]; true if that is
+/// all.
 bool cover(const Disc& own, const Disc& other, bool other_first, std::vector<Interval>& covered) {
     const Point line = other.centre - own.centre;
     const double d = line.norm();
@@ -29,10 +29,10 @@ bool cover(const Disc& own, const Disc& other, bool other_first, std::vector<Int
         (own.radius * own.radius + d * d - other.radius * other.radius) / (2 * own.radius * d);
     const double half = lod::angle_of_cosine(std::clamp(cosine, -1.0, 1.0));
     double from = lod::direction_angle(line.y(), line.x()) - half;
-    if (from < 0) from += turn;
+    if (from < 0) from += lod::full_turn;
     const double to = from + 2 * half;
-    covered.push_back({from, std::min(to, turn)});
-    if (to > turn) covered.push_back({0, to - turn});
+    covered.push_back({from, std::min(to, lod::full_turn)});
+    if (to > lod::full_turn) covered.push_back({0, to - lod::full_turn});
     return false;
 }
 
@@ -44,7 +44,7 @@ void add_gaps(std::size_t disc, std::vector<Interval>& covered, std::vector<Arc>
         if (interval.from > reached) arcs.push_back({disc, reached, interval.from});
         reached = std::max(reached, interval.to);
     }
-    if (reached < turn) arcs.push_back({disc, reached, turn});
+    if (reached < lod::full_turn) arcs.push_back({disc, reached, lod::full_turn});
 }
 
 }  // namespace

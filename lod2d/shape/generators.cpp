@@ -12,7 +12,6 @@ namespace lod2d {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double turn = 2 * pi;
 constexpr int sides_of_circle = 96;
 
 using Values = std::span<const double>;
@@ -31,7 +30,7 @@ void append_arc(Ring& ring, const Point& centre, double radius, double from, dou
 Ring circle(double radius, int sides, double first_angle = 0) {
     Ring ring;
     for (int i = 0; i < sides; ++i)
-        ring.push_back(on_circle(radius, first_angle + turn * i / sides));
+        ring.push_back(on_circle(radius, first_angle + lod::full_turn * i / sides));
     return ring;
 }
 
@@ -135,7 +134,7 @@ Polygon make_gear(Values v) {
     const int teeth = static_cast<int>(v[0]);
     const double tip = 0.5;
     const double root = tip - v[1] / 2;
-    const double pitch = turn / teeth;
+    const double pitch = lod::full_turn / teeth;
     const int cuts = static_cast<int>(std::ceil(0.4 * 72.0 / teeth));
     Ring ring;
     for (int i = 0; i < teeth; ++i) {
@@ -168,9 +167,9 @@ Polygon make_crescent(Values v) {
     const double inner_radius = tip.y() / lod::sine_cosine(bite).sine;
     const Point inner_centre(tip.x() - inner_radius * lod::sine_cosine(bite).cosine, 0);
     Ring ring;
-    append_arc(ring, {0, 0}, 0.5, horn, turn - horn, 64);
+    append_arc(ring, {0, 0}, 0.5, horn, lod::full_turn - horn, 64);
     Ring inner;
-    append_arc(inner, inner_centre, inner_radius, turn - bite, bite, 48);
+    append_arc(inner, inner_centre, inner_radius, lod::full_turn - bite, bite, 48);
     ring.insert(ring.end(), inner.begin() + 1, inner.end() - 1);
     return {{ring}};
 }
@@ -193,12 +192,12 @@ Polygon make_comb(Values v) {
 Polygon make_spiral(Values v) {
     const double turns = v[0];
     const int cuts = static_cast<int>(std::ceil(turns * 48));
-    const double band = 0.5 / (turns + 1);  // growth of the radius in one turn
+    const double band = 0.5 / (turns + 1);  // growth of the radius in one lod::full_turn
     Ring outer;
     Ring inner;
     for (int i = 0; i <= cuts; ++i) {
-        const double angle = turns * turn * i / cuts;
-        const double radius = band * (0.5 + angle / turn);
+        const double angle = turns * lod::full_turn * i / cuts;
+        const double radius = band * (0.5 + angle / lod::full_turn);
         outer.push_back(on_circle(radius + 0.5 * band, angle));
         inner.push_back(on_circle(radius, angle));
     }
@@ -216,13 +215,13 @@ Polygon make_blob(Values v) {
     double sum = 0;
     for (int k = 0; k < waves; ++k) {
         height[k] = random.next() / (k + 2);
-        phase[k] = turn * random.next();
+        phase[k] = lod::full_turn * random.next();
         sum += height[k];
     }
     const double scale = 0.6 / std::max(sum, 0.6);
     Ring ring;
     for (int i = 0; i < sides; ++i) {
-        const double angle = turn * i / sides;
+        const double angle = lod::full_turn * i / sides;
         double radius = 1;
         for (int k = 0; k < waves; ++k)
             radius += scale * height[k] * lod::sine_cosine((k + 2) * angle + phase[k]).sine;

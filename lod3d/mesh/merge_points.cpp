@@ -9,6 +9,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
 
@@ -18,17 +19,13 @@ namespace {
 constexpr std::int32_t none = -1;
 constexpr std::size_t points_between_checks = 4096;
 
-std::size_t as_index(std::int32_t i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// By x, then y, z and number.
 std::vector<std::int32_t> ordered(std::span<const Point> points) {
     std::vector<std::int32_t> order(points.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
-        const Point& p = points[as_index(i)];
-        const Point& q = points[as_index(j)];
+        const Point& p = points[lod::at(i)];
+        const Point& q = points[lod::at(j)];
         return std::tie(p.x(), p.y(), p.z(), i) < std::tie(q.x(), q.y(), q.z(), j);
     });
     return order;
@@ -85,10 +82,10 @@ class Leaders {
     }
 
     void add(std::int32_t i) {
-        rank_[as_index(i)] = count_++;
-        const auto [place, is_new] = head_.try_emplace(cell_of(points_[as_index(i)]), i);
+        rank_[lod::at(i)] = count_++;
+        const auto [place, is_new] = head_.try_emplace(cell_of(points_[lod::at(i)]), i);
         if (is_new) return;
-        next_[as_index(i)] = place->second;
+        next_[lod::at(i)] = place->second;
         place->second = i;
     }
 
@@ -100,10 +97,10 @@ class Leaders {
         return {std::floor(p.x() / width), std::floor(p.y() / width), std::floor(p.z() / width)};
     }
     [[nodiscard]] std::int32_t first_of_list(std::int32_t i, const Point& p, std::int32_t first) {
-        for (; i != none; i = next_[as_index(i)]) {
+        for (; i != none; i = next_[lod::at(i)]) {
             ++steps_;
-            if ((p - points_[as_index(i)]).cwiseAbs().maxCoeff() > tolerance_) continue;
-            if (first == none || rank_[as_index(i)] < rank_[as_index(first)]) first = i;
+            if ((p - points_[lod::at(i)]).cwiseAbs().maxCoeff() > tolerance_) continue;
+            if (first == none || rank_[lod::at(i)] < rank_[lod::at(first)]) first = i;
         }
         return first;
     }
@@ -124,8 +121,8 @@ MergedPoints merge_equal(std::span<const Point> points, std::span<const std::int
     merged.into.resize(points.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
         merged.steps += i > 0;
-        const bool again = i > 0 && points[as_index(order[i])] == points[as_index(order[i - 1])];
-        merged.into[as_index(order[i])] = again ? merged.into[as_index(order[i - 1])] : order[i];
+        const bool again = i > 0 && points[lod::at(order[i])] == points[lod::at(order[i - 1])];
+        merged.into[lod::at(order[i])] = again ? merged.into[lod::at(order[i - 1])] : order[i];
     }
     return merged;
 }
@@ -141,9 +138,9 @@ MergedPoints merge_points(std::span<const Point> points, double tolerance) {
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (i % points_between_checks == 0) lod::check_interrupted();
         const std::int32_t point = order[i];
-        const std::int32_t leader = leaders.first_near(points[as_index(point)]);
+        const std::int32_t leader = leaders.first_near(points[lod::at(point)]);
         if (leader == none) leaders.add(point);
-        merged.into[as_index(point)] = leader == none ? point : leader;
+        merged.into[lod::at(point)] = leader == none ? point : leader;
     }
     merged.steps = leaders.steps();
     return merged;

@@ -6,17 +6,12 @@
 #include <string>
 #include <tuple>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/mesh/merge_points.hpp"
 
 namespace lod3d {
-namespace {
-
-std::size_t as_index(std::int32_t i) {
-    return static_cast<std::size_t>(i);
-}
-
-}  // namespace
+namespace {}  // namespace
 
 bool is_usable(const Point& p) {
     return p.allFinite() && p.cwiseAbs().maxCoeff() <= 1e100;
@@ -43,7 +38,7 @@ void check_numbers(const Mesh& mesh) {
                std::to_string(count) + " vertices");
     std::vector<char> bad(mesh.vertices.size(), 0);
     for (const Triangle& t : mesh.triangles)
-        for (const std::int32_t v : t) bad[as_index(v)] = !is_usable(mesh.vertices[as_index(v)]);
+        for (const std::int32_t v : t) bad[lod::at(v)] = !is_usable(mesh.vertices[lod::at(v)]);
     const auto first = std::find(bad.begin(), bad.end(), 1);
     if (first != bad.end())
         refuse(std::to_string(std::count(first, bad.end(), 1)) + " of " + std::to_string(count) +
@@ -65,11 +60,11 @@ int drop_duplicates(Mesh& mesh) {
     std::vector<Triangle> key(mesh.triangles.size());
     std::transform(mesh.triangles.begin(), mesh.triangles.end(), key.begin(), from_least);
     std::sort(order.begin(), order.end(), [&](std::int32_t i, std::int32_t j) {
-        return std::tie(key[as_index(i)], i) < std::tie(key[as_index(j)], j);
+        return std::tie(key[lod::at(i)], i) < std::tie(key[lod::at(j)], j);
     });
     std::vector<char> again(mesh.triangles.size(), 0);
     for (std::size_t i = 1; i < order.size(); ++i)
-        again[as_index(order[i])] = key[as_index(order[i])] == key[as_index(order[i - 1])];
+        again[lod::at(order[i])] = key[lod::at(order[i])] == key[lod::at(order[i - 1])];
     std::size_t kept = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         if (!again[t]) mesh.triangles[kept++] = mesh.triangles[t];
@@ -83,17 +78,17 @@ int drop_duplicates(Mesh& mesh) {
 int drop_unused_vertices(Mesh& mesh) {
     std::vector<std::int32_t> renumbered(mesh.vertices.size(), -1);
     for (const Triangle& t : mesh.triangles)
-        for (std::int32_t v : t) renumbered[as_index(v)] = 0;
+        for (std::int32_t v : t) renumbered[lod::at(v)] = 0;
     std::int32_t kept = 0;
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
         if (renumbered[v] < 0) continue;
-        mesh.vertices[as_index(kept)] = mesh.vertices[v];
+        mesh.vertices[lod::at(kept)] = mesh.vertices[v];
         renumbered[v] = kept++;
     }
     const int dropped = static_cast<int>(mesh.vertices.size()) - kept;
-    mesh.vertices.resize(as_index(kept));
+    mesh.vertices.resize(lod::at(kept));
     for (Triangle& t : mesh.triangles)
-        for (std::int32_t& v : t) v = renumbered[as_index(v)];
+        for (std::int32_t& v : t) v = renumbered[lod::at(v)];
     return dropped;
 }
 
@@ -101,7 +96,7 @@ Welded weld(Mesh& mesh, double tolerance) {
     const int unused = drop_unused_vertices(mesh);  // they may hold what has no order
     const std::vector<std::int32_t> into = merge_points(mesh.vertices, tolerance).into;
     for (Triangle& t : mesh.triangles)
-        for (std::int32_t& v : t) v = into[as_index(v)];
+        for (std::int32_t& v : t) v = into[lod::at(v)];
     const auto collapsed = std::erase_if(mesh.triangles, [](const Triangle& t) {
         return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
     });

@@ -5,6 +5,8 @@
 
 #include "lodlab/lod3d/mesh/mesh_sides.hpp"
 
+#include "lodlab/core/base/at.hpp"
+
 namespace lod3d {
 namespace {
 
@@ -22,14 +24,14 @@ class TurnedSets {
     Member find(std::int32_t i) {
         std::int32_t root = i;
         bool turned = false;
-        for (; parent_[at(root)] != root; root = parent_[at(root)])
-            turned ^= static_cast<bool>(turned_[at(root)]);
+        for (; parent_[lod::at(root)] != root; root = parent_[lod::at(root)])
+            turned ^= static_cast<bool>(turned_[lod::at(root)]);
         bool left = turned;  // compress the path
-        while (parent_[at(i)] != root && i != root) {
-            const std::int32_t next = parent_[at(i)];
-            const bool step = turned_[at(i)];
-            parent_[at(i)] = root;
-            turned_[at(i)] = left;
+        while (parent_[lod::at(i)] != root && i != root) {
+            const std::int32_t next = parent_[lod::at(i)];
+            const bool step = turned_[lod::at(i)];
+            parent_[lod::at(i)] = root;
+            turned_[lod::at(i)] = left;
             left ^= step;
             i = next;
         }
@@ -41,12 +43,11 @@ class TurnedSets {
         const Member a = find(i);
         const Member b = find(j);
         if (a.root == b.root) return;
-        parent_[at(b.root)] = a.root;
-        turned_[at(b.root)] = against ^ a.turned ^ b.turned;
+        parent_[lod::at(b.root)] = a.root;
+        turned_[lod::at(b.root)] = against ^ a.turned ^ b.turned;
     }
 
   private:
-    static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
     std::vector<std::int32_t> parent_;
     std::vector<char> turned_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
 
@@ -52,8 +53,8 @@ class EarCutter {
           triangles_(triangles) {
         const auto count = static_cast<std::int32_t>(corner_.size());
         for (std::int32_t i = 0; i < count; ++i) {
-            before_[at(i)] = (i + count - 1) % count;
-            after_[at(i)] = (i + 1) % count;
+            before_[lod::at(i)] = (i + count - 1) % count;
+            after_[lod::at(i)] = (i + 1) % count;
         }
         for (std::int32_t i = 0; i < count; ++i)
             if (turn_at(i) <= 0) inward_.push_back(i);
@@ -74,15 +75,14 @@ class EarCutter {
   private:
     enum class Least { positive, zero };  ///< area of an ear
 
-    static std::size_t at(std::int32_t i) { return static_cast<std::size_t>(i); }
-
     [[nodiscard]] double turn_at(std::int32_t i) const {
-        return turn(corner_[at(before_[at(i)])], corner_[at(i)], corner_[at(after_[at(i)])]);
+        return turn(corner_[lod::at(before_[lod::at(i)])], corner_[lod::at(i)],
+                    corner_[lod::at(after_[lod::at(i)])]);
     }
 
     /// Whether a corner that points inwards lies in the triangle; one at its corners does not.
     [[nodiscard]] bool blocks(std::int32_t i, const std::array<Flat, 3>& ear) const {
-        const Flat& p = corner_[at(i)];
+        const Flat& p = corner_[lod::at(i)];
         if (std::find(ear.begin(), ear.end(), p) != ear.end()) return false;
         return turn(ear[0], ear[1], p) >= 0 && turn(ear[1], ear[2], p) >= 0 &&
                turn(ear[2], ear[0], p) >= 0 && turn_at(i) <= 0;
@@ -91,20 +91,20 @@ class EarCutter {
     [[nodiscard]] bool is_ear(std::int32_t i, Least least) {
         const double area = turn_at(i);
         if (!(least == Least::positive ? area > 0 : area >= 0)) return false;
-        const std::array<Flat, 3> ear{corner_[at(before_[at(i)])], corner_[at(i)],
-                                      corner_[at(after_[at(i)])]};
-        std::erase_if(inward_, [&](std::int32_t j) { return gone_[at(j)] != 0; });
+        const std::array<Flat, 3> ear{corner_[lod::at(before_[lod::at(i)])], corner_[lod::at(i)],
+                                      corner_[lod::at(after_[lod::at(i)])]};
+        std::erase_if(inward_, [&](std::int32_t j) { return gone_[lod::at(j)] != 0; });
         return std::none_of(inward_.begin(), inward_.end(),
                             [&](std::int32_t j) { return blocks(j, ear); });
     }
 
     void cut(std::int32_t i) {
-        const std::int32_t from = before_[at(i)];
-        const std::int32_t to = after_[at(i)];
+        const std::int32_t from = before_[lod::at(i)];
+        const std::int32_t to = after_[lod::at(i)];
         triangles_.push_back({from, i, to});
-        after_[at(from)] = to;
-        before_[at(to)] = from;
-        gone_[at(i)] = 1;
+        after_[lod::at(from)] = to;
+        before_[lod::at(to)] = from;
+        gone_[lod::at(i)] = 1;
         last_ = from;
         --left_;
     }
@@ -113,14 +113,14 @@ class EarCutter {
     void cut_ears(Least least) {
         std::vector<std::int32_t> tried;
         for (std::int32_t i = static_cast<std::int32_t>(corner_.size()); i-- > 0;)
-            if (gone_[at(i)] == 0) tried.push_back(i);
+            if (gone_[lod::at(i)] == 0) tried.push_back(i);
         while (!tried.empty() && left_ >= 3) {
             lod::check_interrupted();
             const std::int32_t i = tried.back();
             tried.pop_back();
-            if (gone_[at(i)] != 0 || !is_ear(i, least)) continue;
-            const std::int32_t from = before_[at(i)];
-            const std::int32_t to = after_[at(i)];
+            if (gone_[lod::at(i)] != 0 || !is_ear(i, least)) continue;
+            const std::int32_t from = before_[lod::at(i)];
+            const std::int32_t to = after_[lod::at(i)];
             cut(i);
             tried.push_back(from);
             tried.push_back(to);

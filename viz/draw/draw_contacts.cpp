@@ -25,8 +25,9 @@ std::vector<int> legible_levels(const std::vector<lod::Front>& fronts) {
 
 /// Shows both outlines and the nodes of all contacts shown.
 template <int Dim>
-View<Dim> view_of(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
-                  const std::vector<int>& levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
+View<Dim> view_of_contacts(const Actor<Dim>& a, const Actor<Dim>& b,
+                           const std::vector<lod::Front>& fronts, const std::vector<int>& levels,
+                           const typename Sight<Dim>::Viewpoint& viewpoint) {
     View<Dim> view(viewpoint, way_between(a.body, b.body));
     take_in<Dim>(view, a);
     take_in<Dim>(view, b);
@@ -112,7 +113,7 @@ Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
                          const std::vector<lod::Front>& fronts, lod::PointModel model,
                          std::vector<int> levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
     if (levels.empty()) levels = legible_levels(fronts);
-    const View<Dim> view = view_of(a, b, fronts, levels, viewpoint);
+    const View<Dim> view = view_of_contacts(a, b, fronts, levels, viewpoint);
     const std::string name_a = shown_name<Dim>({a.look, b.look}, 0);
     const std::string name_b = shown_name<Dim>({a.look, b.look}, 1);
     Figure figure;

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/source/paths/clean.hpp"
 #include "lodlab/viz/draw/draw_contacts.hpp"
@@ -13,24 +14,20 @@ namespace {
 using Vector2 = lod::Vector<2>;
 using Vector3 = lod::Vector<3>;
 
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
 /// Closed lines through the silhouette's edges, each with the surface that is seen on its left.
 std::vector<lod2d::Ring> silhouette(const Surface& surface, const std::vector<Vector2>& points) {
     std::vector<char> front;
     for (const auto& [a, b, c] : surface.triangles) {
-        const Vector2 ab = points[index(b)] - points[index(a)];
-        const Vector2 ac = points[index(c)] - points[index(a)];
+        const Vector2 ab = points[lod::at(b)] - points[lod::at(a)];
+        const Vector2 ac = points[lod::at(c)] - points[lod::at(a)];
         front.push_back(ab.x() * ac.y() - ab.y() * ac.x() > 0);
     }
     std::multimap<int, int> ways;  // from vertex to vertex, as the triangle in front passes them
     for (const Surface::Edge& edge : surface.edges) {
-        const bool left = front[index(edge.left)] != 0;
-        const bool right = edge.right >= 0 && front[index(edge.right)] != 0;
+        const bool left = front[lod::at(edge.left)] != 0;
+        const bool right = edge.right >= 0 && front[lod::at(edge.right)] != 0;
         if (left == right) continue;
-        const std::array<int, 3>& seen = surface.triangles[index(left ? edge.left : edge.right)];
+        const std::array<int, 3>& seen = surface.triangles[lod::at(left ? edge.left : edge.right)];
         const bool forward = (seen[0] == edge.from && seen[1] == edge.to) ||
                              (seen[1] == edge.from && seen[2] == edge.to) ||
                              (seen[2] == edge.from && seen[0] == edge.to);
@@ -44,7 +41,7 @@ std::vector<lod2d::Ring> silhouette(const Surface& surface, const std::vector<Ve
         do {
             const auto way = ways.find(at);
             if (way == ways.end()) break;  // an open surface: its border ends here
-            ring.push_back(points[index(at)]);
+            ring.push_back(points[lod::at(at)]);
             at = way->second;
             ways.erase(way);
         } while (at != start);

@@ -46,8 +46,9 @@ Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lo
 
 /// Shows both outlines and every node that the levels show.
 template <int Dim>
-View<Dim> view_of(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
-                  const std::vector<int>& levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
+View<Dim> view_of_tested(const Actor<Dim>& a, const Actor<Dim>& b,
+                         const std::vector<lod::Front>& fronts, const std::vector<int>& levels,
+                         const typename Sight<Dim>::Viewpoint& viewpoint) {
     View<Dim> view(viewpoint, way_between(a.body, b.body));
     take_in<Dim>(view, a);
     take_in<Dim>(view, b);
@@ -127,7 +128,7 @@ Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod
         "Bold: nodes that intersect, whose children are tested next. Thin grey: "
         "nodes tested that meet nothing.";
     figure.alt = alt_text(a, b, fronts, levels);
-    const View<Dim> view = view_of(a, b, fronts, levels, viewpoint);
+    const View<Dim> view = view_of_tested(a, b, fronts, levels, viewpoint);
     for (const int level : levels)
         figure.panels.push_back(level_panel<Dim>(a, b, fronts, level, view));
     if (proved_apart)
@@ -157,7 +158,7 @@ Figure traversal_level(const Actor<Dim>& a, const Actor<Dim>& b,
     std::vector<int> every;  // so that the steps of one traversal share a view
     for (std::size_t i = 0; i < fronts.size(); ++i) every.push_back(static_cast<int>(i));
     figure.panels.push_back(
-        level_panel<Dim>(a, b, fronts, level, view_of(a, b, fronts, every, viewpoint)));
+        level_panel<Dim>(a, b, fronts, level, view_of_tested(a, b, fronts, every, viewpoint)));
     figure.panels.back().title.clear();
     add_names(figure.panels.back(), a, b, level == 0 ? Beside::roots : Beside::outlines);
     return figure;

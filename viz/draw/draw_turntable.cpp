@@ -14,7 +14,7 @@ namespace {
 
 constexpr double fade_share = 0.15;  ///< of a level's time in which the next one appears
 
-struct Film {
+struct TurntableShot {
     Actor<3> actor;
     std::vector<int> levels;
     Turntable choice;
@@ -37,7 +37,7 @@ lod::Sphere<3> whole_of(const Actor<3>& actor, const std::vector<int>& levels) {
     return whole;
 }
 
-Figure picture(const Film& film, int frame) {
+Figure picture(const TurntableShot& film, int frame) {
     const double share = static_cast<double>(frame) / film.frames();
     const auto at = static_cast<std::size_t>(frame / film.frames_per_level);
     const double within =
@@ -88,8 +88,8 @@ Animation turntable(const Actor<3>& actor, std::vector<int> levels, const Turnta
     if (levels.empty()) levels = montage_levels(actor.body.tree->levels());
     const lod::Sphere<3> whole = whole_of(actor, levels);
     const double frames = std::round(choice.frames_per_second * choice.seconds_per_level);
-    const auto film = std::make_shared<const Film>(
-        Film{actor, std::move(levels), choice, whole, std::max(1, static_cast<int>(frames))});
+    const auto film = std::make_shared<const TurntableShot>(TurntableShot{
+        actor, std::move(levels), choice, whole, std::max(1, static_cast<int>(frames))});
     Animation animation;
     animation.frames_per_second = choice.frames_per_second;
     animation.title = "The sphere tree of " + actor.look.name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "lodlab/core/base/at.hpp"
 #include "lodlab/lod3d/mesh/mesh_sides.hpp"
 #include "lodlab/viz/figure/camera.hpp"
 
@@ -13,10 +14,6 @@ using Vector3 = lod::Vector<3>;
 
 constexpr double smooth_cosine = 0.766;  ///< 40 degrees: faces that turn more meet in a sharp edge
 constexpr int extreme_directions = 7;    ///< steps along each side of a cube of directions
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 std::vector<Vector3> face_normals(const lod3d::Mesh& mesh) {
     std::vector<Vector3> normals;
@@ -33,14 +30,14 @@ void find_normals(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Su
     std::vector<std::vector<int>> round(mesh.vertices.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (const int corner : mesh.triangles[t])
-            round[index(corner)].push_back(static_cast<int>(t));
+            round[lod::at(corner)].push_back(static_cast<int>(t));
     surface.normals.resize(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const double own = faces[t].norm();
         for (std::size_t k = 0; k < 3; ++k) {
             Vector3 sum = Vector3::Zero();
-            for (const int other : round[index(mesh.triangles[t][k])]) {
-                const Vector3& normal = faces[index(other)];
+            for (const int other : round[lod::at(mesh.triangles[t][k])]) {
+                const Vector3& normal = faces[lod::at(other)];
                 if (normal.dot(faces[t]) >= smooth_cosine * own * normal.norm()) sum += normal;
             }
             const double length = sum.norm();
@@ -56,8 +53,8 @@ void find_edges(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Surf
             Surface::Edge edge{side->low, side->high, side->triangle, -1, true};
             if (++side != last) {
                 edge.right = side++->triangle;
-                const Vector3& a = faces[index(edge.left)];
-                const Vector3& b = faces[index(edge.right)];
+                const Vector3& a = faces[lod::at(edge.left)];
+                const Vector3& b = faces[lod::at(edge.right)];
                 edge.sharp = a.dot(b) < smooth_cosine * a.norm() * b.norm();
             }
             surface.edges.push_back(edge);

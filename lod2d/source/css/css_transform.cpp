@@ -113,7 +113,7 @@ std::string Function::in_space() const {
     }
     if (name_ == "matrix3d") {
         require(16, 16);
-        for (const std::size_t i : {2, 3, 6, 7, 8, 9, 11})
+        for (const std::size_t i : {2U, 3U, 6U, 7U, 8U, 9U, 11U})
             if (number(i) != 0) throw BeyondThePlane{};
         if (number(15) != 1) throw BeyondThePlane{};
         return called("matrix",

@@ -121,7 +121,7 @@ std::string alt_of(const Run<Dim>& run, const Run<Dim>& reference, double until)
 
 /// What does not change from frame to frame.
 template <int Dim>
-struct Film {
+struct ComparedRuns {
     std::vector<Run<Dim>> runs;
     Run<Dim> reference;
     ComparisonMotion choice;
@@ -130,7 +130,7 @@ struct Film {
 };
 
 template <int Dim>
-Figure film_frame(const Film<Dim>& film, double time) {
+Figure film_frame(const ComparedRuns<Dim>& film, double time) {
     Figure figure;
     figure.title = film.choice.words.title;
     figure.caption = film.choice.words.caption;
@@ -181,8 +181,8 @@ Animation comparison_motion(const std::vector<Run<Dim>>& runs, const Run<Dim>& r
     const std::vector<Run<Dim>> all = with(runs, reference);
     double end = 0;
     for (const Run<Dim>& run : all) end = std::max(end, run.instants.back().time);
-    const auto film = std::make_shared<const Film<Dim>>(
-        Film<Dim>{runs, reference, choice, view_of<Dim>(all, end, viewpoint), end});
+    const auto film = std::make_shared<const ComparedRuns<Dim>>(
+        ComparedRuns<Dim>{runs, reference, choice, view_of<Dim>(all, end, viewpoint), end});
     Animation animation;
     animation.frames_per_second = choice.frames_per_second;
     animation.title = choice.words.title;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lodlab/core/base/at.hpp"
+
 namespace viz {
 namespace {
 
@@ -10,10 +12,6 @@ using Vector3 = lod::Vector<3>;
 
 constexpr float nowhere = std::numeric_limits<float>::infinity();
 constexpr double off_screen = 1e7;  ///< samples; what is projected further is left out
-
-std::size_t index(int i) {
-    return static_cast<std::size_t>(i);
-}
 
 /// Twice the area of a triangle of the sample grid, positive anticlockwise with y up.
 template <class Corner>
@@ -59,31 +57,31 @@ void SurfaceLayer::find_facing(const Vector3& local_light) {
             facing[k] = static_cast<float>(vector3(normals[k]).dot(local_light));
     }
     for (const auto& [a, b, c] : surface_.triangles)
-        front_.push_back(doubled_area(corners_[index(a)], corners_[index(b)], corners_[index(c)]) >
-                         0);
+        front_.push_back(
+            doubled_area(corners_[lod::at(a)], corners_[lod::at(b)], corners_[lod::at(c)]) > 0);
 }
 
 bool SurfaceLayer::visible(std::size_t triangle) const {
     if (!front_[triangle]) return false;  // the back of a closed surface is never seen
     const auto& [a, b, c] = surface_.triangles[triangle];
-    return corners_[index(a)].depth < nowhere && corners_[index(b)].depth < nowhere &&
-           corners_[index(c)].depth < nowhere;
+    return corners_[lod::at(a)].depth < nowhere && corners_[lod::at(b)].depth < nowhere &&
+           corners_[lod::at(c)].depth < nowhere;
 }
 
 void SurfaceLayer::find_segments() {
     for (const Surface::Edge& edge : surface_.edges) {
-        const bool left = front_[index(edge.left)] != 0;
-        const bool right = edge.right >= 0 && front_[index(edge.right)] != 0;
+        const bool left = front_[lod::at(edge.left)] != 0;
+        const bool right = edge.right >= 0 && front_[lod::at(edge.right)] != 0;
         if (!(left || right) || (left == right && !edge.sharp)) continue;
-        const Segment segment{corners_[index(edge.from)], corners_[index(edge.to)], edge.sharp};
+        const Segment segment{corners_[lod::at(edge.from)], corners_[lod::at(edge.to)], edge.sharp};
         if (segment.a.depth < nowhere && segment.b.depth < nowhere) segments_.push_back(segment);
     }
 }
 
 void SurfaceLayer::sort_into_bands(int height) {
     const int bands = (height + band_rows - 1) / band_rows;
-    triangles_in_.resize(index(bands));
-    segments_in_.resize(index(bands));
+    triangles_in_.resize(lod::at(bands));
+    segments_in_.resize(lod::at(bands));
     double left = off_screen;
     double right = -off_screen;
     const auto add = [&](std::vector<std::vector<int>>& lists, int number, double low,
@@ -91,14 +89,14 @@ void SurfaceLayer::sort_into_bands(int height) {
         const double rows = band_rows * samples_;
         const int first = static_cast<int>(std::clamp(std::floor(low / rows), 0.0, bands + 0.0));
         const int last = static_cast<int>(std::clamp(std::floor(high / rows), -1.0, bands - 1.0));
-        for (int band = first; band <= last; ++band) lists[index(band)].push_back(number);
+        for (int band = first; band <= last; ++band) lists[lod::at(band)].push_back(number);
     };
     for (std::size_t t = 0; t < surface_.triangles.size(); ++t) {
         if (!visible(t)) continue;
         const auto& [i, j, k] = surface_.triangles[t];
-        const Corner& a = corners_[index(i)];
-        const Corner& b = corners_[index(j)];
-        const Corner& c = corners_[index(k)];
+        const Corner& a = corners_[lod::at(i)];
+        const Corner& b = corners_[lod::at(j)];
+        const Corner& c = corners_[lod::at(k)];
         add(triangles_in_, static_cast<int>(t), std::min({a.y, b.y, c.y}),
             std::max({a.y, b.y, c.y}));
         left = std::min({left, a.x, b.x, c.x});
@@ -115,29 +113,29 @@ void SurfaceLayer::sort_into_bands(int height) {
     first_column_ = std::max(0, column(left - half_line_) - 1);
     columns_ = std::max(0, column(right + half_line_) + 2 - first_column_);
     columns_ = std::min(columns_, 20000);
-    row_ = index(columns_) * index(samples_);
+    row_ = lod::at(columns_) * lod::at(samples_);
 }
 
 bool SurfaceLayer::draw_band(int first_row) {
     first_row_ = first_row;
-    const std::size_t band = index(first_row / band_rows);
+    const std::size_t band = lod::at(first_row / band_rows);
     if (triangles_in_[band].empty() && segments_in_[band].empty()) return false;
-    band_.assign(row_ * index(band_rows * samples_), {nowhere, 0});
-    for (const int t : triangles_in_[band]) draw_triangle(index(t));
-    for (const int s : segments_in_[band]) draw_segment(segments_[index(s)]);
+    band_.assign(row_ * lod::at(band_rows * samples_), {nowhere, 0});
+    for (const int t : triangles_in_[band]) draw_triangle(lod::at(t));
+    for (const int s : segments_in_[band]) draw_segment(segments_[lod::at(s)]);
     return true;
 }
 
 SurfaceLayer::Sample* SurfaceLayer::row_at(int y) {
-    return band_.data() + index(y - first_row_ * samples_) * row_;
+    return band_.data() + lod::at(y - first_row_ * samples_) * row_;
 }
 
 /// Samples stand in the middle of their cells: sample i at i + 1/2.
 void SurfaceLayer::draw_triangle(std::size_t triangle) {
     const auto& [i, j, k] = surface_.triangles[triangle];
-    const Corner& a = corners_[index(i)];
-    const Corner& b = corners_[index(j)];
-    const Corner& c = corners_[index(k)];
+    const Corner& a = corners_[lod::at(i)];
+    const Corner& b = corners_[lod::at(j)];
+    const Corner& c = corners_[lod::at(k)];
     const double area = doubled_area(a, b, c);
     const auto first = [](double v, int least) {
         return std::max(least, static_cast<int>(std::ceil(v - 0.5)));
