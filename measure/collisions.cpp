@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "lodlab/core/base/at.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/exact/time_of_impact.hpp"
 
 namespace measure {

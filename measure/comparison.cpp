@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/measure/plane_bodies.hpp"
 
 namespace measure {

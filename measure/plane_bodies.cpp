@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lodlab/core/base/at.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/lod2d/shape/overlap.hpp"
 
 namespace measure {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/builder/piece.hpp"
 #include "lodlab/core/math/enclosing_ball.hpp"

@@ -4,8 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "lodlab/core/base/at.hpp"
-#include "lodlab/core/base/refill.hpp"
+#include "lodlab/core/base/lists.hpp"
 
 namespace lod {
 namespace {

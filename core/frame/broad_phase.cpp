@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include "lodlab/core/base/refill.hpp"
+#include "lodlab/core/base/lists.hpp"
 
 namespace lod {
 namespace {
@@ -58,8 +58,8 @@ void BroadPhase<Dim>::choose_axes(const Box<Dim>& all) {
     const int before = along_;
     std::array<int, Dim> axes;
     std::iota(axes.begin(), axes.end(), 0);
-    std::sort(
-        axes.begin(), axes.end(), [&](int i, int k) { return size[i] > size[k] || (size[i] == size[k] && i < k); });
+    std::sort(axes.begin(), axes.end(),
+              [&](int i, int k) { return size[i] > size[k] || (size[i] == size[k] && i < k); });
     along_ = axes[0];
     across_ = axes[1];
     if (along_ != before) in_order_ = false;

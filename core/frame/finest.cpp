@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "lodlab/core/base/at.hpp"
-#include "lodlab/core/base/refill.hpp"
+#include "lodlab/core/base/lists.hpp"
 
 namespace lod {
 namespace {

@@ -1,6 +1,6 @@
 #include "lodlab/core/frame/frame.hpp"
 
-#include "lodlab/core/base/refill.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/frame/integrate.hpp"
 
 namespace lod {

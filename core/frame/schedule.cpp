@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lodlab/core/base/at.hpp"
+#include "lodlab/core/base/lists.hpp"
 
 namespace lod {
 namespace {

@@ -5,8 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "lodlab/core/base/at.hpp"
-#include "lodlab/core/base/refill.hpp"
+#include "lodlab/core/base/lists.hpp"
 
 namespace lod {
 namespace {

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lodlab/core/base/at.hpp"
-#include "lodlab/core/base/refill.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/response/gauss_seidel.hpp"
 
 namespace lod {

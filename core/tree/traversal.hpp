@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/base/names.hpp"
-#include "lodlab/core/base/range.hpp"
 #include "lodlab/core/tree/budget.hpp"
 #include "lodlab/core/tree/posed_tree.hpp"
 

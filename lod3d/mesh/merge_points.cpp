@@ -9,8 +9,8 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/base/stop.hpp"
 
 namespace lod3d {

@@ -6,8 +6,8 @@
 #include <string>
 #include <tuple>
 
-#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/lod3d/mesh/merge_points.hpp"
 
 namespace lod3d {

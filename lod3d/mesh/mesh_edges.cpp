@@ -5,7 +5,7 @@
 
 #include "lodlab/lod3d/mesh/mesh_sides.hpp"
 
-#include "lodlab/core/base/at.hpp"
+#include "lodlab/core/base/lists.hpp"
 
 namespace lod3d {
 namespace {

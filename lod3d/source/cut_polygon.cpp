@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
-#include "lodlab/core/base/at.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/base/stop.hpp"
 
 namespace lod3d {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "lodlab/core/base/at.hpp"
+#include "lodlab/core/base/lists.hpp"
 #include "lodlab/lod3d/mesh/mesh_sides.hpp"
 #include "lodlab/viz/figure/camera.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lodlab/core/base/at.hpp"
+#include "lodlab/core/base/lists.hpp"
 
 namespace viz {
 namespace {

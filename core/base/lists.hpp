@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace lod {
+
+/// A number of something, as an index into a list. Requires i >= 0.
+[[nodiscard]] constexpr std::size_t at(std::int32_t i) {
+    return static_cast<std::size_t>(i);
+}
+
+/// A part of a list.
+struct Range {
+    std::int32_t first = 0;
+    std::int32_t count = 0;
+    friend bool operator==(const Range&, const Range&) = default;
+
+    template <class T>
+    [[nodiscard]] std::span<const T> of(std::span<const T> list) const {
+        return list.subspan(at(first), at(count));
+    }
+};
+
+/// Makes a list `size` equal entries. Unlike assign it grows by doubling, so that a list whose size
+/// wavers is rarely allocated anew.
+template <class T>
+void refill(std::vector<T>& list, std::size_t size, const T& value) {
+    list.resize(size);
+    std::fill(list.begin(), list.end(), value);
+}
+
+}  // namespace lod
