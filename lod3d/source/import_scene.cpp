@@ -5,32 +5,21 @@
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <assimp/BaseImporter.h>
 #include <algorithm>
 #include <assimp/Importer.hpp>
-#include <chrono>
 #include <cmath>
-#include <csignal>
-#include <cstring>
-#include <fstream>
 #include <limits>
 #include <sstream>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/stop.hpp"
+#include "lodlab/io/files/child_process.hpp"
 
 namespace lod3d {
 namespace {
 
 namespace fs = std::filesystem;
-
-// ---- in the child ----
 
 /// Opens files of one folder, and of those below it, only.
 class FolderOnly final : public Assimp::IOSystem {
@@ -147,179 +136,52 @@ Imported triangles_of_scene(const fs::path& path, const std::string& ending) {
     return imported;
 }
 
-void send(int pipe, const void* bytes, std::size_t count) {
-    const char* at = static_cast<const char*>(bytes);
-    while (count > 0) {
-        const ssize_t sent = write(pipe, at, count);
-        if (sent < 0 && errno == EINTR) continue;
-        if (sent <= 0) _exit(1);
-        at += sent;
-        count -= static_cast<std::size_t>(sent);
-    }
-}
-
-/// What the child says first: a mesh of these counts follows, or a refusal of `vertices` letters.
-struct Announcement {
-    enum Kind : std::uint64_t { mesh, refusal, out_of_memory } kind;
+/// What the child says before the mesh.
+struct Counts {
     std::uint64_t vertices;
     std::uint64_t triangles;
     double step;
 };
 
-void send_refusal(int pipe, Announcement::Kind kind, std::string why) {
-    for (char& c : why)
-        if (c == '\n' || c == '\r') c = ' ';
-    const Announcement says{kind, why.size(), 0, 0};
-    send(pipe, &says, sizeof says);
-    send(pipe, why.data(), why.size());
+void send_scene(lod::ChildPipe& pipe, const SceneFile& file) {
+    const auto [mesh, step] = triangles_of_scene(file.path, file.ending);
+    pipe.send(Counts{mesh.vertices.size(), mesh.triangles.size(), step});
+    pipe.send(mesh.vertices.data(), mesh.vertices.size() * sizeof(Point));
+    pipe.send(mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
 }
 
-void limit_resources(const ImportLimits& limits) {
-    const rlim_t seconds = static_cast<rlim_t>(limits.most_seconds) + 2;
-    const rlimit cpu{seconds, seconds};
-    setrlimit(RLIMIT_CPU, &cpu);
-    const rlimit no_core{0, 0};
-    setrlimit(RLIMIT_CORE, &no_core);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#if defined(__has_feature)
-#define LOD3D_SANITIZED (__has_feature(address_sanitizer) || __has_feature(thread_sanitizer))
-#else
-#define LOD3D_SANITIZED 0
-#endif
-#if !LOD3D_SANITIZED  // sanitizers map terabytes that they never touch
-    std::uint64_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    const rlim_t bytes = pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + limits.most_memory;
-    const rlimit memory{bytes, bytes};
-    setrlimit(RLIMIT_AS, &memory);
-#endif
-#endif
+void check_counts(const Counts& counts, const SceneFile& file, const ImportLimits& limits) {
+    if (counts.triangles > limits.most_triangles || counts.vertices > 3 * limits.most_triangles)
+        throw lod::Error(lod::ErrorKind::limit_exceeded,
+                         file.name + ": " + std::to_string(counts.triangles) + " triangles and " +
+                             std::to_string(counts.vertices) +
+                             " vertices, more than the limit of " +
+                             std::to_string(limits.most_triangles) +
+                             " triangles; simplify the mesh or raise the limit");
+    if (counts.triangles == 0)
+        lod::refuse_input(file.name, "holds no triangles; does its scene show a mesh?");
 }
-
-[[noreturn]] void run_child(int pipe, const SceneFile& file, const ImportLimits& limits) {
-    for (const int signal : {SIGINT, SIGTERM})  // what is ignored stays so
-        if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
-    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    try {
-        limit_resources(limits);
-        const auto [mesh, step] = triangles_of_scene(file.path, file.ending);
-        const Announcement says{Announcement::mesh, mesh.vertices.size(), mesh.triangles.size(),
-                                step};
-        send(pipe, &says, sizeof says);
-        send(pipe, mesh.vertices.data(), mesh.vertices.size() * sizeof(Point));
-        send(pipe, mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
-    } catch (const std::bad_alloc&) {
-        send_refusal(pipe, Announcement::out_of_memory, "");
-    } catch (const std::exception& error) {
-        send_refusal(pipe, Announcement::refusal, error.what());
-    } catch (...) {
-        send_refusal(pipe, Announcement::refusal, "the importer failed");
-    }
-    _exit(0);
-}
-
-// ---- in the parent ----
-
-/// The child and the pipe from it; ends both, whatever happens.
-class Child {
-  public:
-    Child(const SceneFile& file, const ImportLimits& limits)
-        : name_(file.name),
-          limits_(limits),
-          deadline_(std::chrono::steady_clock::now() +
-                    std::chrono::milliseconds(static_cast<long>(1000 * limits.most_seconds))) {
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC) != 0) refuse(std::strerror(errno));
-        process_ = fork();
-        if (process_ == 0) run_child(ends[1], file, limits);
-        close(ends[1]);
-        pipe_ = ends[0];
-        if (process_ < 0) refuse(std::strerror(errno));
-    }
-    ~Child() {
-        close(pipe_);
-        if (process_ <= 0) return;
-        kill(process_, SIGKILL);
-        while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
-        }
-    }
-    Child(const Child&) = delete;
-    Child& operator=(const Child&) = delete;
-
-    void receive(void* bytes, std::size_t count) {
-        char* at = static_cast<char*>(bytes);
-        while (count > 0) {
-            await();
-            const ssize_t got = read(pipe_, at, count);
-            if (got < 0 && errno == EINTR) continue;
-            if (got <= 0) refuse("the importer broke down on it");
-            at += got;
-            count -= static_cast<std::size_t>(got);
-        }
-    }
-
-    [[noreturn]] void refuse(const std::string& why) const {
-        throw lod::Error(lod::ErrorKind::input_refused, name_ + ": " + why);
-    }
-    [[noreturn]] void exceed(const std::string& why) const {
-        throw lod::Error(lod::ErrorKind::limit_exceeded, name_ + ": " + why);
-    }
-
-  private:
-    /// Until there is something to read. An interruption is noticed within a tenth of a second.
-    void await() const {
-        for (;;) {
-            lod::check_interrupted();
-            if (std::chrono::steady_clock::now() >= deadline_)
-                exceed("reading it took longer than the limit of " +
-                       std::to_string(static_cast<long>(limits_.most_seconds)) + " s");
-            pollfd waiting{pipe_, POLLIN, 0};
-            if (poll(&waiting, 1, 100) > 0) return;
-        }
-    }
-
-    std::string name_;
-    const ImportLimits& limits_;
-    std::chrono::steady_clock::time_point deadline_;
-    pid_t process_ = -1;
-    int pipe_ = -1;
-};
 
 }  // namespace
 
 FileMesh import_scene(const SceneFile& file, const ImportLimits& limits) {
     if (file.ending != "3ds") check_gltf(file, limits);
-    Child child(file, limits);
-    Announcement says{};
-    child.receive(&says, sizeof says);
-    if (says.kind == Announcement::out_of_memory)
-        child.exceed("reading it took more than the limit of " +
-                     std::to_string(limits.most_memory >> 20) + " MB");
-    if (says.kind == Announcement::refusal) {
-        std::string why(std::min<std::uint64_t>(says.vertices, 500), ' ');
-        child.receive(why.data(), why.size());
-        child.refuse(why);
-    }
-    if (says.triangles > limits.most_triangles || says.vertices > 3 * limits.most_triangles)
-        child.exceed(std::to_string(says.triangles) + " triangles and " +
-                     std::to_string(says.vertices) + " vertices, more than the limit of " +
-                     std::to_string(limits.most_triangles) +
-                     " triangles; simplify the mesh or raise the limit");
-    if (says.triangles == 0) child.refuse("holds no triangles; does its scene show a mesh?");
+    lod::ChildProcess child({file.name, "the importer"}, {limits.most_memory, limits.most_seconds},
+                            [&](lod::ChildPipe& pipe) { send_scene(pipe, file); });
+    const auto counts = child.receive<Counts>();
+    check_counts(counts, file, limits);
     FileMesh result;
     result.remarks.emplace_back(
         "coordinates were read as 32-bit numbers; all that is computed, and the certificate of the "
         "tree, is about the mesh of those");
     Mesh& mesh = result.mesh;
-    mesh.vertices.resize(says.vertices);
-    mesh.triangles.resize(says.triangles);
+    mesh.vertices.resize(counts.vertices);
+    mesh.triangles.resize(counts.triangles);
     child.receive(mesh.vertices.data(), mesh.vertices.size() * sizeof(Point));
     child.receive(mesh.triangles.data(), mesh.triangles.size() * sizeof(Triangle));
     // What the scene moves as a whole keeps its digits.
-    const bool made_near = says.step < coordinate_step(mesh, 24);
-    result.step = made_near ? 0 : says.step;
+    const bool made_near = counts.step < coordinate_step(mesh, 24);
+    result.step = made_near ? 0 : counts.step;
     return result;
 }
 
