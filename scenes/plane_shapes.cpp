@@ -51,6 +51,8 @@ PlaneShapes::Shape PlaneShapes::named(const std::string& spec, const ShapeChoice
     if (choice.size) settings.outline.size = *choice.size;
     raise(settings.most_bytes, choice.raise_limits);
     raise(settings.most_elements, choice.raise_limits);
+    raise(settings.most_memory, choice.raise_limits);
+    raise(settings.most_seconds, choice.raise_limits);
     raise(settings.outline.clean.most_points, choice.raise_limits);
     raise(settings.outline.clean.most_edge_pairs, choice.raise_limits);
     raise(settings.outline.clean.most_sweep_steps, choice.raise_limits);

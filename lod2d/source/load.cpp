@@ -34,6 +34,8 @@ Shape load_shape(std::string_view spec, const LoadSettings& settings) {
         svg.outline = settings.outline;
         svg.most_bytes = settings.most_bytes;
         svg.most_elements = settings.most_elements;
+        svg.most_memory = settings.most_memory;
+        svg.most_seconds = settings.most_seconds;
         svg.strokes = settings.strokes;
         svg.strict = settings.strict;
         svg.page = settings.page;

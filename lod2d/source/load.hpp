@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -9,12 +10,14 @@ namespace lod2d {
 
 struct LoadSettings {
     OutlineSettings outline;  ///< of files and texts; generators are in metres by their parameters
-    std::string font = "Inter";           ///< of texts: a fontconfig name
-    std::size_t most_bytes = 64'000'000;  ///< of a file
-    std::size_t most_elements = 200'000;  ///< of an SVG file
-    bool strokes = false;                 ///< of an SVG file: take strokes in, beside fills too
-    bool page = false;                    ///< of an SVG file: stretched and cut off by its page
-    bool strict = false;                  ///< refuse an SVG file of which something is left out
+    std::string font = "Inter";                 ///< of texts: a fontconfig name
+    std::size_t most_bytes = 64'000'000;        ///< of a file
+    std::size_t most_elements = 200'000;        ///< of an SVG file
+    std::uint64_t most_memory = 2048ull << 20;  ///< of what draws an SVG file [bytes]
+    double most_seconds = 60;  ///< of the processor's time, of what draws an SVG file
+    bool strokes = false;      ///< of an SVG file: take strokes in, beside fills too
+    bool page = false;         ///< of an SVG file: stretched and cut off by its page
+    bool strict = false;       ///< refuse an SVG file of which something is left out
 };
 
 /// The shape that a reader names: a file ending in .svg or .svgz (see svg.hpp), "text:R" (see

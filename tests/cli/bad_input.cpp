@@ -59,6 +59,12 @@ void check_without_privilege(const std::vector<std::string>& arguments, int code
         check_failure(outcome, code, part);
 }
 
+/// Ends the program, whatever it does, after so much of the processor's time.
+void end_within_a_minute() {
+    const rlimit limit{60, 60};
+    ::setrlimit(RLIMIT_CPU, &limit);
+}
+
 }  // namespace
 
 TEST_CASE("a scene file that is missing or unreadable is refused") {
@@ -183,4 +189,12 @@ TEST_CASE("bodies that start inside each other are run, and reported in one line
     CHECK(outcome.code == 0);
     CHECK(is_one_line(outcome.err));
     CHECK(contains(outcome.err, "body 1 and body 2 touch or overlap at the start"));
+}
+
+TEST_CASE("a drawing whose lines lie beyond Cairo's numbers is refused and hangs nobody") {
+    Start start;
+    start.in_child = end_within_a_minute;
+    for (const std::string file : {"/far-curves.svg", "/far-curves-2.svg"})
+        check_failure(lodlab({"tree", LODLAB_HOSTILE_DRAWINGS + file}, start), 3,
+                      "millions of pages outside its page");
 }

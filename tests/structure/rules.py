@@ -32,7 +32,7 @@ MAY_INCLUDE = {
     "lod2d/source/paths": ["core", "lod2d/shape"],
     "lod2d/source/svg": ["core", "lod2d/shape", "lod2d/source/paths"],
     "lod2d/source/css": ["core", "lod2d/shape", "lod2d/source/paths", "lod2d/source/svg"],
-    "lod2d/source/resolve": ["core", "lod2d/shape", "lod2d/source/paths", "lod2d/source/svg", "lod2d/source/css"],
+    "lod2d/source/resolve": ["core", "io/files", "lod2d/shape", "lod2d/source/paths", "lod2d/source/svg", "lod2d/source/css"],
     "lod2d/source": ["core", "io/files", "lod2d/shape", "lod2d/source"],
     "lod3d/mesh": ["core"],
     "lod3d/solid": ["core", "lod3d/mesh"],

@@ -1,178 +1,46 @@
 #include "lodlab/lod2d/source/resolve/resolve.hpp"
 
-#include <cairo-script.h>
-#include <librsvg/rsvg.h>
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-
-#include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/stop.hpp"
+#include "lodlab/io/files/child_process.hpp"
 #include "lodlab/lod2d/source/resolve/cairo_script.hpp"
 #include "lodlab/lod2d/source/resolve/prepare.hpp"
+#include "lodlab/lod2d/source/resolve/render.hpp"
 
 namespace lod2d {
 namespace {
 
-template <auto release>
-struct Release {
-    template <typename T>
-    void operator()(T* thing) const {
-        release(thing);
-    }
-};
-using Handle = std::unique_ptr<RsvgHandle, Release<g_object_unref>>;
-using Device = std::unique_ptr<cairo_device_t, Release<cairo_device_destroy>>;
-using Surface = std::unique_ptr<cairo_surface_t, Release<cairo_surface_destroy>>;
-using Context = std::unique_ptr<cairo_t, Release<cairo_destroy>>;
-
-std::string one_line(std::string text) {
-    for (char& c : text)
-        if (c == '\n' || c == '\r') c = ' ';
-    return text;
-}
-
-[[noreturn]] void refuse(const std::string& name, GError* error, const std::string& otherwise) {
-    std::string why = error ? one_line(error->message) : otherwise;
-    if (error) g_error_free(error);
-    lod::refuse_input("cannot read " + name, "librsvg says: " + why + "; save it as a plain SVG");
-}
-
-cairo_status_t append(void* text, const unsigned char* bytes, unsigned int count) {
-    static_cast<std::string*>(text)->append(reinterpret_cast<const char*>(bytes), count);
-    return lod::stop_requested ? CAIRO_STATUS_WRITE_ERROR : CAIRO_STATUS_SUCCESS;
-}
-
-/// Draws one document at several sizes.
-class Renderer {
-  public:
-    Renderer(const std::string& name, const PreparedSvg& svg) : name_(name), svg_(svg) {
-        GError* error = nullptr;
-        GInputStream* stream = g_memory_input_stream_new_from_data(
-            svg.text.data(), static_cast<gssize>(svg.text.size()), nullptr);
-        // No base file: it reads no other.
-        handle_.reset(rsvg_handle_new_from_stream_sync(stream, nullptr, RSVG_HANDLE_FLAG_UNLIMITED,
-                                                       nullptr, &error));
-        g_object_unref(stream);
-        if (!handle_) refuse(name, error, "it cannot be read");
-        rsvg_handle_set_dpi(handle_.get(), 96);
-        static constexpr std::string_view sheet =
-            "*{filter:none !important;mask:none !important;mix-blend-mode:normal !important;"
-            "isolation:auto !important;enable-background:accumulate !important}";
-        if (!rsvg_handle_set_stylesheet(
-                handle_.get(), reinterpret_cast<const guint8*>(sheet.data()), sheet.size(), &error))
-            refuse(name, error, "it takes no style sheet");
-    }
-
-    /// What it draws where the page is scaled and moved so that `middle` of it lies in the middle
-    /// of what Cairo can hold. Turned, because that surface is short and false about upright boxes.
-    [[nodiscard]] SvgDrawing draw(double scale, const Point& middle) const {
-        const lod::Matrix<2> turned(scale * cosine, -scale * sine, scale * sine, scale * cosine);
-        const Point offset = Point::Constant(canvas / 2) - turned * middle;
-        std::string script;
-        {
-            const Device device(cairo_script_create_for_stream(append, &script));
-            const Surface surface(cairo_script_surface_create(
-                device.get(), CAIRO_CONTENT_COLOR_ALPHA, canvas, canvas));
-            const Context context(cairo_create(surface.get()));
-            cairo_matrix_t matrix;
-            cairo_matrix_init(&matrix, turned(0, 0), turned(1, 0), turned(0, 1), turned(1, 1),
-                              offset.x(), offset.y());
-            cairo_set_matrix(context.get(), &matrix);
-            const RsvgRectangle viewport{0, 0, svg_.size.x(), svg_.size.y()};
-            GError* error = nullptr;
-            if (!rsvg_handle_render_document(handle_.get(), context.get(), &viewport, &error))
-                refuse(name_, error, "it cannot be drawn");
-            cairo_surface_finish(surface.get());
-            lod::check_interrupted();
-            if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-                refuse(name_, nullptr, cairo_status_to_string(cairo_surface_status(surface.get())));
-        }
-        const lod::Matrix<2> back(cosine / scale, sine / scale, sine / scale, -cosine / scale);
-        const Point origin = Point(middle.x(), -middle.y()) - back * Point::Constant(canvas / 2);
-        return read_cairo_script(name_, script, {back, origin});
-    }
-
-    static constexpr double canvas = 0x1p23 - 1;  ///< Cairo's numbers have 23 bits before the point
-
-  private:
-    // Of 0.6437501 radians: no angle that a drawing has.
-    static constexpr double cosine = 0.799850580478866036;
-    static constexpr double sine = 0.600199174364328014;
-
-    const std::string& name_;
-    const PreparedSvg& svg_;
-    Handle handle_;
+/// What the child says before the script.
+struct ScriptHead {
+    std::uint64_t letters;
+    double linear[4];
+    double offset[2];
+    double precision;
 };
 
-Box box_of(const SvgDrawing& drawing) {
-    Box box;
-    for (const SvgFill& fill : drawing.fills) {
-        box.hold(fill.region.path.control_box());
-        for (const auto& clip : fill.clips) box.hold(clip->path.control_box());
-    }
-    for (const SvgStroke& stroke : drawing.strokes) {
-        CurvePath path = stroke.path;
-        path.transform(stroke.to_page);
-        box.hold(path.control_box());
-        for (const auto& clip : stroke.clips) box.hold(clip->path.control_box());
-    }
-    return box;
+void send_script(lod::ChildPipe& pipe, const SvgScript& script) {
+    const auto& [linear, offset] = script.to_page;
+    pipe.send(ScriptHead{script.text.size(),
+                         {linear(0, 0), linear(0, 1), linear(1, 0), linear(1, 1)},
+                         {offset.x(), offset.y()},
+                         script.precision});
+    pipe.send(script.text.data(), script.text.size());
 }
 
-bool are_alike(const Box& a, const Box& b, double tolerance) {
-    if (a.is_empty() || b.is_empty()) return a.is_empty() == b.is_empty();
-    return (a.low - b.low).cwiseAbs().maxCoeff() < tolerance &&
-           (a.high - b.high).cwiseAbs().maxCoeff() < tolerance;
+SvgScript receive_script(lod::ChildProcess& child) {
+    const auto head = child.receive<ScriptHead>();
+    const auto& [a, b, c, d] = head.linear;
+    SvgScript script{std::string(head.letters, '\0'),
+                     {{a, b, c, d}, {head.offset[0], head.offset[1]}},
+                     head.precision};
+    child.receive(script.text.data(), script.text.size());
+    return script;
 }
 
-/// The box of all that it draws, and how far that is rounded. What lies further out than Cairo's
-/// numbers reach comes back at another place each time that the scale is another.
-struct Extent {
-    Box box;
-    double rounding = 0;
-    std::size_t marks = 0;  ///< fills and strokes
-};
-
-std::size_t count_marks(const SvgDrawing& drawing) {
-    return drawing.fills.size() + drawing.strokes.size();
-}
-
-Extent extent_of(const std::string& name, const Renderer& renderer, const Point& size) {
-    const double page = size.maxCoeff();
-    for (const double side : {2048.0, 32.0, 0.5}) {  // of the page [Cairo's units]
-        const SvgDrawing drawing = renderer.draw(side / page, size / 2);
-        const Box box = box_of(drawing);
-        const Box other = box_of(renderer.draw(0.7123 * side / page, size / 2));
-        const double rounding = page / side * 2;
-        if (are_alike(box, other, rounding)) return {box, rounding, count_marks(drawing)};
-    }
-    lod::refuse_input("cannot read " + name,
-                      "parts of it lie millions of pages outside its page; delete them");
-}
-
-/// A drawing, and the share of its size that its coordinates are right to.
-struct FullSize {
-    SvgDrawing drawing;
-    double precision = 0;
-};
-
-/// The whole drawing, as large as librsvg draws all of it: newer releases leave out what they take
-/// to be beyond Cairo's numbers.
-FullSize at_full_size(const std::string& name, const Renderer& renderer, const Point& size) {
-    const Extent extent = extent_of(name, renderer, size);
-    if (extent.marks == 0) return {renderer.draw(2048 / size.maxCoeff(), size / 2), 0};
-    const Point middle(extent.box.centre().x(), -extent.box.centre().y());
-    const double reach = extent.box.size().maxCoeff() + 2 * extent.rounding;
-    for (double side = Renderer::canvas / 4; side > 4000; side /= 2) {
-        SvgDrawing drawing = renderer.draw(side / reach, middle);
-        if (count_marks(drawing) >= extent.marks &&
-            are_alike(extent.box, box_of(drawing), 2 * extent.rounding))
-            return {std::move(drawing), 0x1p-9 / side};
-    }
-    lod::refuse_input("cannot read " + name,
-                      "it is drawn in another way at each size; save it as a plain SVG");
+/// By a child process: drawings can be written on which Cairo never ends.
+SvgScript rendered(const std::string& name, const PreparedSvg& svg, const SvgSettings& settings) {
+    lod::ChildProcess child(
+        {"cannot read " + name, "librsvg"}, {settings.most_memory, settings.most_seconds},
+        [&](lod::ChildPipe& pipe) { send_script(pipe, render_svg(name, svg)); });
+    return receive_script(child);
 }
 
 /// The next power of ten above, as "1e-9".
@@ -188,16 +56,15 @@ std::string power_of_ten(double value) {
 
 SvgDrawing resolve_svg(const SvgXml& xml, const SvgSettings& settings) {
     PreparedSvg svg = prepare_svg(xml, settings);
-    const Renderer renderer(xml.name, svg);
-    auto [drawing, precision] = at_full_size(xml.name, renderer, svg.size);
+    const SvgScript script = rendered(xml.name, svg, settings);
+    SvgDrawing drawing = read_cairo_script(xml.name, script.text, script.to_page);
     svg.notes.whole.insert(svg.notes.whole.end(), drawing.notes.whole.begin(),
                            drawing.notes.whole.end());
     drawing.notes = std::move(svg.notes);
     drawing.notes.remarks.insert(
         drawing.notes.remarks.begin(),
-        "outlines come through librsvg " + std::to_string(rsvg_major_version) + "." +
-            std::to_string(rsvg_minor_version) + "." + std::to_string(rsvg_micro_version) +
-            ", to about " + power_of_ten(precision) +
+        "outlines come through librsvg " + librsvg_version() + ", to about " +
+            power_of_ten(script.precision) +
             " of the drawing's size (its circles to 3e-4 of their radius)");
     if (svg.paged) {
         Box page;

@@ -1,5 +1,6 @@
 #include "lodlab/lod2d/source/svg.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <numbers>
@@ -300,4 +301,23 @@ TEST_CASE("a file that is missing, a folder or too large is refused", "[svg]") {
     std::filesystem::remove(file);
     CHECK(kind_of(file, 20) == lod::ErrorKind::input_refused);
     CHECK(kind_of(folder, 20) == lod::ErrorKind::input_refused);
+}
+
+TEST_CASE("a drawing that takes librsvg too long is refused at the limit of time", "[svg]") {
+    // Every line of the star crosses almost every other: a million crossings at each size.
+    std::string points;
+    constexpr int corners = 2001;
+    for (int i = 0; i < corners; ++i) {
+        const double angle = 2 * pi * i * (corners / 2) / corners;
+        points += std::to_string(50 + 40 * std::cos(angle)) + "," +
+                  std::to_string(50 + 40 * std::sin(angle)) + " ";
+    }
+    const std::string star = "<g id='a'><polygon points='" + points + "'/></g><use href='#a'/>";
+    SvgSettings settings;
+    settings.most_seconds = 0.2;
+    const Refusal refused = refusal(svg(star, "viewBox='0 0 100 100'"), settings);
+    CHECK(refused.kind == lod::ErrorKind::limit_exceeded);
+    CHECK(refused.line.find("longer than the limit of 0 s") != std::string::npos);
+    settings.most_seconds = 0;
+    CHECK(parse_svg("plain.svg", svg("<path d='M0 0H1V1Z'/>"), settings).area == Approx(0.5));
 }
