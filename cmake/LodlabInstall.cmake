@@ -6,7 +6,8 @@ set(lodlab_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lodlab)
 
 # lodlab_install(NAME [FOLDER folder] [EXCEPT folder] DESCRIPTION text [LODLAB names] [MODULES modules])
 # installs one library, with the headers of its folder, which is named like it where none is given, but
-# not those of the folder EXCEPT within it, which is another library's. LODLAB
+# not those of the folder EXCEPT within it, which is another library's: those that are public, and those that these
+# include (cmake/headers). LODLAB
 # names the libraries of ours that it stands on, MODULES the pkg-config modules that it links, which a
 # program links too where the library is static. What find_package needs for the same stands in
 # lodlab-config.cmake.in.
@@ -28,15 +29,12 @@ function(lodlab_install name)
   install(EXPORT lodlab-${name} NAMESPACE lodlab:: FILE lodlab-${name}-targets.cmake
           DESTINATION ${lodlab_package_folder})
   if(LIBRARY)
-    set(except)
-    if(arg_EXCEPT)
-      set(except PATTERN ${arg_EXCEPT} EXCLUDE)
-    endif()
-    get_filename_component(above ${arg_FOLDER} DIRECTORY)
     lodlab_umbrella(${name} FOLDER ${arg_FOLDER} EXCEPT ${arg_EXCEPT})
-    install(DIRECTORY ${PROJECT_SOURCE_DIR}/${arg_FOLDER}
-            DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab/${above} FILES_MATCHING PATTERN "*.hpp"
-            ${except})
+    lodlab_headers_of(headers LISTS public reached FOLDER ${arg_FOLDER} EXCEPT ${arg_EXCEPT})
+    foreach(header ${headers})
+      get_filename_component(folder ${header} DIRECTORY)
+      install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab/${folder})
+    endforeach()
   else()
     lodlab_umbrella(${name} INCLUDES ${arg_LODLAB})
   endif()
@@ -57,19 +55,31 @@ function(lodlab_install name)
   set_property(GLOBAL APPEND PROPERTY LODLAB_COMPONENTS ${name})
 endfunction()
 
-# One header with all of a library's, <lodlab/NAME.hpp>, here and where they are installed; without the
+# Sets `result` to the headers below FOLDER, without those below EXCEPT in it, of the LISTS of cmake/headers.
+function(lodlab_headers_of result)
+  cmake_parse_arguments(arg "" "FOLDER;EXCEPT" "LISTS" ${ARGN})
+  set(all)
+  foreach(list ${arg_LISTS})
+    set(file ${PROJECT_SOURCE_DIR}/cmake/headers/${list}.txt)
+    set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(STRINGS ${file} headers REGEX "^${arg_FOLDER}/")
+    list(APPEND all ${headers})
+  endforeach()
+  if(arg_EXCEPT)
+    list(FILTER all EXCLUDE REGEX "^${arg_FOLDER}/${arg_EXCEPT}/")
+  endif()
+  set(${result} ${all} PARENT_SCOPE)
+endfunction()
+
+# One header with all of a library's public ones, <lodlab/NAME.hpp>, here and where they are installed; without the
 # one that wants Eigen. FOLDER and EXCEPT as above; INCLUDES: those of other libraries, for one that has
 # no headers.
 function(lodlab_umbrella name)
   cmake_parse_arguments(arg "" "FOLDER;EXCEPT" "INCLUDES" ${ARGN})
   set(includes)
   if(arg_FOLDER)
-    file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
-         ${PROJECT_SOURCE_DIR}/${arg_FOLDER}/*.hpp)
+    lodlab_headers_of(headers LISTS public FOLDER ${arg_FOLDER} EXCEPT ${arg_EXCEPT})
     list(REMOVE_ITEM headers core/math/eigen.hpp)
-    if(arg_EXCEPT)
-      list(FILTER headers EXCLUDE REGEX "^${arg_FOLDER}/${arg_EXCEPT}/")
-    endif()
     foreach(header ${headers})
       string(APPEND includes "#include <lodlab/${header}>\n")
     endforeach()

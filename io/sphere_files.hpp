@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Sphere trees for other programs: .spheres.json, .sph, .urdf.
+
 #include <span>
 #include <string>
 #include <string_view>

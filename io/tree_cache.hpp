@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A folder of built trees, so that none is built twice.
+
 #include <filesystem>
 #include <functional>
 #include <string>

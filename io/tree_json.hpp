@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A tree in a JSON file and back, to the same bits.
+
 #include <filesystem>
 #include <string>
 #include <string_view>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The collisions of a run as an observer sees them, and which of two runs' belong together.
+
 #include <array>
 #include <cstdint>
 #include <map>

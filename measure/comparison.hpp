@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// One scene by lodlab at every level, exactly, and by Box2D, with what an observer would see
+/// wrong.
+
 #include <cstdint>
 #include <functional>
 #include <optional>

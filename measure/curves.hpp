@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Medians and percentiles of measured impacts, level by level.
+
 #include <filesystem>
 #include <string>
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Random impacts at every level against the exact answer: the measurement behind `lodlab degrade`.
+
 #include <functional>
 #include <span>
 #include <string>

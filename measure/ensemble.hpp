@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Random impacts of two bodies, the same for the same seed.
+
 #include <algorithm>
 #include <cstdint>
 #include <span>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The exact first collision of two bodies, and how far another answer lies from it.
+
 #include <optional>
 
 #include "lodlab/measure/collisions.hpp"

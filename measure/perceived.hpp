@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// What an observer may see wrong in a collision, as one number. Its constants are ours; no
+/// observer has tested them.
+
 #include "lodlab/measure/collisions.hpp"
 
 namespace measure {

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The bodies of a scene of the plane as the measures take them.
+
 #include <memory>
 
 #include "lodlab/lod2d/shape/distance.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Where the scenes that come with lodlab lie, and the files that Debian packages bring.
+
 #include <filesystem>
 #include <span>
 #include <string>

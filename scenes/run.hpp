@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Runs a scene, frame by frame, and keeps each record.
+
 #include <chrono>
 #include <cstdint>
 #include <functional>

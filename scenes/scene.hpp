@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A scene file as data: the bodies, the settings, what is shown.
+
 #include <array>
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// From a scene file's data to bodies that can move: shapes loaded, trees built.
+
 #include <functional>
 #include <memory>
 #include <string>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Shapes of the plane and of space behind one vocabulary, for code that treats both alike.
+
 #include <cstdint>
 #include <optional>
 #include <string>

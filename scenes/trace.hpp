@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A run in a file, to be played again to the same bits, interruptions included.
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The one exception that lodlab throws, and its kinds.
+
 #include <span>
 #include <stdexcept>
 #include <string>

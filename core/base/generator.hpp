@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// Things made from a name and a few numbers, "gear:9": what the generators of shapes and of solids
+/// share.
+
 #include <span>
 #include <string>
 #include <string_view>

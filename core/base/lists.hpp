@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Numbers of things as indices, and parts of lists.
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>

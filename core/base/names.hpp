@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// From a choice (an enum) to the word for it in scenes, options and messages, and back.
+
 #include <array>
 #include <cstddef>
 #include <optional>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// How a program asks long work to end: it sets stop_requested, and the work throws Interrupted.
+
 #include <atomic>
 #include <stdexcept>
 

@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// Proves that a tree covers its shape, level by level, for any tree: one that a builder made or
+/// one that was loaded.
+
 #include <algorithm>
 #include <vector>
 

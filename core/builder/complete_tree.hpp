@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The last step of a builder of one's own: the proof of the cover, and the hulls of the nodes.
+
 #include <string>
 #include <string_view>
 #include <utility>

@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// The simplest builder: a quadtree or octree of balls. The one to read first before writing
+/// another.
+
 #include <cmath>
 
 #include "lodlab/core/base/stop.hpp"

@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// Grows a tree of balls from the top, by a strategy that knows one kind of shape: the frame for a
+/// builder of one's own.
+
 #include <algorithm>
 #include <concepts>
 #include <cstdint>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// What a builder must know of a part of a shape, whether of the plane or of space.
+
 #include <concepts>
 #include <span>
 #include <utility>

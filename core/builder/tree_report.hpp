@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// How well each level of a tree fits its shape, in numbers.
+
 #include <utility>
 #include <vector>
 

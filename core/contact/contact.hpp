@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// A contact of two bodies, and how it comes from two nodes that overlap: the contact models, by
+/// name.
+
 #include <cstddef>
 #include <optional>
 

@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// From the overlapping nodes of a pair of bodies to its contacts: the stage between traversal and
+/// response.
+
 #include <cstdint>
 #include <span>
 #include <vector>

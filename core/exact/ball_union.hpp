@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The true shape of a body that is a ball, or a few.
+
 #include "lodlab/core/exact/exact_shape.hpp"
 
 namespace lod {

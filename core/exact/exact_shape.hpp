@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The true shape of a body, asked after the leaves of its tree: distance, overlap, exact contacts.
+
 #include <array>
 #include <span>
 #include <vector>

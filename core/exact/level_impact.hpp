@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// When two bodies would touch if the nodes of one level were their shapes; the paper's figure 5
+/// shows why not to ask.
+
 #include "lodlab/core/exact/time_of_impact.hpp"
 
 namespace lod {

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// When two freely moving bodies touch, exactly, and where.
+
 #include <vector>
 
 #include "lodlab/core/exact/exact_shape.hpp"

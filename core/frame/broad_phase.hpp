@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Which pairs of bodies are near enough to be looked at.
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The levels after the leaves: contact of true shapes, and backtracking to their time of impact.
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// One frame of an animation, from detection to motion: begin here. `lod::advance` does all of it,
+/// `lod::detect` all that changes no body.
+
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -10,8 +14,6 @@
 #include "lodlab/core/frame/sweep.hpp"
 #include "lodlab/core/response/response.hpp"
 #include "lodlab/core/tree/budget.hpp"
-
-// One frame: `advance` does all of it, `detect` all that changes no body. Both are at the end.
 
 namespace lod {
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Free motion of bodies for a time step, in space without loss of energy or angular momentum.
+
 #include <span>
 
 #include "lodlab/core/tree/body.hpp"

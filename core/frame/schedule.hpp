@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// In which order pairs are refined, and the level-by-level refinement of all pairs under one
+/// budget.
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A hash of bodies, or of a tree, to compare two runs bit for bit.
+
 #include <cstdint>
 #include <span>
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Motion of bodies that are too fast for frames to see: none passes through another.
+
 #include <array>
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A box along the axes.
+
 #include <limits>
 
 #include "lodlab/core/math/dimension.hpp"

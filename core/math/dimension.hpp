@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// All that differs between the plane and space, in one place: the types of vectors, spins,
+/// orientations and inertia for `Dim` 2 and 3.
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// lodlab's vectors as Eigen's and back, for programs that compute with Eigen. It alone needs
+/// Eigen, so <lodlab/core.hpp> is without it.
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 

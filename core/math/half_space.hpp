@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// All on one side of a line or a plane.
+
 #include "lodlab/core/math/dimension.hpp"
 
 namespace lod {

@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// Vectors, matrices and quaternions of fixed size, called as Eigen's are, with one layout and one
+/// order of sums.
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>

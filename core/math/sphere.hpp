@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A ball: a disc in the plane, a sphere in space; and whether two of them overlap.
+
 #include "lodlab/core/math/dimension.hpp"
 
 namespace lod {

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The mechanics of one contact: closing velocity, compliance, impulse.
+
 #include <cstdint>
 
 #include "lodlab/core/contact/contact.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// From contacts to new velocities: the ways to resolve many contacts at once, by name.
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A rigid body: where it is, how it moves, its mass, its tree. You make these; a frame moves them.
+
 #include <memory>
 #include <span>
 #include <string>

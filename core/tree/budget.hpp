@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// What a frame may spend, as node tests or as time; and where it was cut, so that it can be played
+/// again.
+
 #include <chrono>
 #include <cstdint>
 #include <limits>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The convex hulls of a tree's nodes, which tell contacts better than the balls do.
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A body's tree carried to the world, as far as it is asked for.
+
 #include <array>
 #include <cstdint>
 #include <vector>

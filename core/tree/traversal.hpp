@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// Two trees against each other, level by level, interruptible between any two node tests: the
+/// heart of the method.
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Trees of circles or spheres: what builders make, files hold and frames traverse.
+
 #include <array>
 #include <cstdint>
 #include <optional>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The ending of a path, by which formats are chosen.
+
 #include <filesystem>
 #include <string>
 

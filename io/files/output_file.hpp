@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Files that are complete or absent: nothing is half-written under a final name.
+
 #include <cstddef>
 #include <filesystem>
 #include <string_view>

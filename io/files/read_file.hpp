@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A whole file as text, up to a limit.
+
 #include <cstddef>
 #include <filesystem>
 #include <string>

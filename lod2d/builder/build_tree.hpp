@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The circle tree of a shape: one call, and its settings.
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A part of a shape of the plane, as builders and certificates take it.
+
 #include <cstdint>
 #include <span>
 #include <utility>

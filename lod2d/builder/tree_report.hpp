@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// How well each level of a circle tree fits its shape.
+
 #include "lodlab/core/builder/tree_report.hpp"
 #include "lodlab/core/tree/tree.hpp"
 #include "lodlab/lod2d/shape/shape.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Distances from a polygon, and whether a point is inside, in O(log n).
+
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Shapes by name: "gear:9", "star:5", "L". `lodlab tree --list` shows all.
+
 #include <span>
 #include <string_view>
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A polygon as the true shape of a body, for exact contact.
+
 #include <cstdint>
 #include <memory>
 

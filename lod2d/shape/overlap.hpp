@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Whether two regions of the plane share a point, and how far apart they are.
+
 #include "lodlab/lod2d/shape/distance.hpp"
 
 namespace lod2d {

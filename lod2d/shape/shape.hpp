@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// A rigid shape of the plane: a polygon with holes in its body frame, with its area, inertia and
+/// centre of mass.
+
 #include <string>
 #include <vector>
 

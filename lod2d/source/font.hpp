@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Letters as shapes, from an installed font.
+
 #include <string>
 #include <string_view>
 

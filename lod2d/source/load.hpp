@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The shape that a user names: a drawing's file, a text or a generator.
+
 #include <cstdint>
 #include <string>
 #include <string_view>

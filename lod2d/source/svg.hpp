@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The shape that an SVG drawing shows.
+
 #include <filesystem>
 #include <string_view>
 

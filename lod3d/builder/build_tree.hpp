@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The sphere tree of a solid: one call, and its settings.
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A part of a solid, as builders and certificates take it.
+
 #include <cstdint>
 #include <memory>
 #include <utility>

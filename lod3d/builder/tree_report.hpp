@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// How well each level of a sphere tree fits its solid.
+
 #include "lodlab/core/builder/tree_report.hpp"
 #include "lodlab/core/tree/tree.hpp"
 #include "lodlab/lod3d/solid/solid.hpp"

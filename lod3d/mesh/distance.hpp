@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Distances from a mesh, and whether a point is inside.
+
 #include <cstdint>
 #include <limits>
 #include <vector>

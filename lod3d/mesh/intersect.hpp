@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Whether triangles, or two posed meshes, meet.
+
 #include "lodlab/lod3d/mesh/triangle_tree.hpp"
 
 namespace lod3d {

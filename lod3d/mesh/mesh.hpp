@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A mesh of triangles, and what is asked of its numbers and edges.
+
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A closed surface for a mesh that is open or crosses itself.
+
 #include <functional>
 
 #include "lodlab/lod3d/mesh/mesh.hpp"

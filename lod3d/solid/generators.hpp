@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Solids by name: "gear:9", "box:2,1,1", "knot". `lodlab tree --list` shows all.
+
 #include <span>
 #include <string_view>
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A rigid solid in its body frame: a closed mesh with its volume, inertia and centre of mass.
+
 #include <optional>
 #include <string>
 #include <vector>

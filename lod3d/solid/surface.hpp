@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A mesh as the true shape of a body, for exact contact.
+
 #include <cstdint>
 
 #include "lodlab/core/exact/walk_pairs.hpp"

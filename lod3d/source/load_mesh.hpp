@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The triangles of a mesh file: OBJ, PLY, STL, OFF, 3DS, glTF.
+
 #include <filesystem>
 
 #include "lodlab/lod3d/source/mesh_readers.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A scene as Box2D runs it, for comparison.
+
 #include <cstdint>
 #include <functional>
 #include <span>

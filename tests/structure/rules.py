@@ -78,6 +78,11 @@ OF_THE_SYSTEM = r"<(filesystem|fstream|iostream|csignal|thread|future|sys/|(unis
 # A whole library in one header: <lodlab/core.hpp>, <lodlab/viz_paint.hpp>.
 UMBRELLA = re.compile(r"(core|io|lod2d|lod3d|scenes|measure|reference|viz)(_[a-z]+)?\.hpp$")
 
+# Lists of headers in cmake/headers: those that lodlab offers, and others that these include.
+PUBLIC = "public.txt"
+REACHED = "reached.txt"
+BEGINS = re.compile(r"#pragma once\n\n(//[^\n]*\n)*/// \\file\n/// \w")
+
 # What a picture is, as data: no body, no vector of ours.
 ALONE = "viz/figure/figure"
 
@@ -336,6 +341,40 @@ def check_twins(texts, breaches):
                     )
 
 
+def listed(root, name):
+    """The headers that a list of cmake/headers names; none where there is no such list."""
+    path = pathlib.Path(root, "cmake/headers", name)
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    return [line for line in lines if line and not line.startswith("#")]
+
+
+def check_headers(root, texts, breaches):
+    """The public headers are there and say what they are for, the others that they include are known, and the
+    examples, which show what a user writes, take public ones alone."""
+    public, reached = listed(root, PUBLIC), listed(root, REACHED)
+    below = set()
+    ahead = list(public)
+    while ahead:
+        name = ahead.pop()
+        if name not in below:
+            below.add(name)
+            ahead += [included.strip('"') for _, included in includes_of(texts.get(name, "")) if included[0] == '"']
+    for name in public + reached:
+        if name not in texts:
+            breaches.append(f"{name}:1: is not there, but cmake/headers names it")
+    for name in public:
+        if name in texts and not BEGINS.match(texts[name]):
+            breaches.append(f"{name}:1: is public; after #pragma once it says what it is for, below /// \\file")
+    for name in sorted(below - set(public) - set(reached)):
+        breaches.append(f"{name}:1: is internal, but a public header includes it; see cmake/headers/{REACHED}")
+    for name in sorted(set(reached) - (below - set(public))):
+        breaches.append(f"{name}:1: no public header includes it; take it from cmake/headers/{REACHED}")
+    for name, text in texts.items():
+        for line, included in includes_of(text) if name.startswith("examples/") else ():
+            if included[0] == '"' and not UMBRELLA.match(included.strip('"')) and included.strip('"') not in public:
+                breaches.append(f"{name}:{line}: {included} is internal; examples take public headers alone")
+
+
 def texts_in(root):
     """The sources of every room, by name."""
     root = pathlib.Path(root)
@@ -368,6 +407,7 @@ def breaches_in(root):
     check_one_source(texts, breaches)
     check_circles(texts, breaches)
     check_twins(texts, breaches)
+    check_headers(root, texts, breaches)
     if not texts:
         breaches.append(f"{root}:0: no sources here")
     return breaches

@@ -17,18 +17,23 @@ struct Excess {
 };
 """
 
+BEGINNING = "#pragma once\n\n/// \\file\n/// What is drawn.\n"
+
 HOUSE = {
+    "cmake/headers/public.txt": "# What is offered.\nlod2d/shape/shape.hpp\nviz/draw/tree.hpp\n",
+    "cmake/headers/reached.txt": "core/math/dimension.hpp\ncore/tree/body.hpp\nviz/figure/figure.hpp\n",
+    "examples/tree.cpp": "#include <lodlab/lod2d/shape/shape.hpp>\n#include <lodlab/core.hpp>\n",
     "core/math/dimension.hpp": "#pragma once\ntemplate <int Dim> constexpr bool plane = Dim == 2;\n",
     "core/tree/body.hpp": '#include "core/math/dimension.hpp"\n// Dim == 2 in a comment\n',
     "core/tree/ball.cpp": "template <int Dim> int points() { return Dim + 1; }\n",
-    "lod2d/shape/shape.hpp": '#include "core/tree/body.hpp"\n#include <nlohmann/json_fwd.hpp>\n',
+    "lod2d/shape/shape.hpp": BEGINNING + '#include "core/tree/body.hpp"\n#include <nlohmann/json_fwd.hpp>\n',
     "lod2d/shape/measure.cpp": "double extent(const Polygon& polygon) { return 1; }\n" + EXCESS.replace("N", "2"),
     "lod3d/mesh/measure.cpp": "double extent(const Mesh& mesh, int axis) { return 1; }\n"
     "struct Hull { double least(const Point& p) const { return 2; } };\n",
     "measure/reference/box2d_reference.cpp": "#include <box2d/box2d.h>\n",
     "viz/figure/figure.hpp": "#include <string>\n",
     "viz/figure/figure.cpp": '#include "viz/figure/figure.hpp"\n',
-    "viz/draw/tree.hpp": '#include "lod2d/shape/shape.hpp"\n#include "viz/figure/figure.hpp"\n',
+    "viz/draw/tree.hpp": BEGINNING + '#include "lod2d/shape/shape.hpp"\n#include "viz/figure/figure.hpp"\n',
     "viz/draw/motion/run.cpp": '#include "viz/draw/tree.hpp"\n',
     "viz/paint/space/render.cpp": '#include "viz/paint/canvas/canvas.hpp"\n',
     "viz/paint/canvas/canvas.hpp": '#include "viz/figure/figure.hpp"\n',
@@ -73,6 +78,19 @@ BREACHES = {
         "[[nodiscard]] double extent(const lod3d::Mesh& mesh) {\n    return 2;\n}\n",
     ),
     "a member of the plane again in space": ("lod3d/solid/a.cpp", EXCESS.replace("N", "3")),
+    "a public header without a word about it": ("lod2d/shape/shape.hpp", '#pragma once\n#include "core/tree/body.hpp"\n'),
+    "a public header includes one more that is internal": (
+        "core/tree/more.hpp",
+        "#pragma once\n",
+        {"lod2d/shape/shape.hpp": BEGINNING + '#include "core/tree/body.hpp"\n#include "core/tree/more.hpp"\n'},
+    ),
+    "a list names a header that no public one includes": ("viz/figure/figure.hpp", "", {"viz/draw/tree.hpp": BEGINNING}),
+    "a list names a header that is not there": (
+        "core/tree/gone.hpp",
+        None,
+        {"cmake/headers/public.txt": "lod2d/shape/shape.hpp\nviz/draw/tree.hpp\ncore/tree/gone.hpp\n"},
+    ),
+    "an example takes an internal header": ("examples/a.cpp", "#include <lodlab/core/tree/body.hpp>\n"),
     "a circle": ("core/tree/body.hpp", '#include "core/tree/circle.hpp"\n'),
 }
 
@@ -91,9 +109,10 @@ class Rules(unittest.TestCase):
         self.assertEqual(self.breaches({}), [])
 
     def test_each_planted_breach_is_found(self):
-        for what, (name, text) in BREACHES.items():
+        for what, (name, text, *others) in BREACHES.items():
             with self.subTest(what):
-                found = self.breaches({name: text})
+                planted = others[0] if others else {}
+                found = self.breaches(planted if text is None else planted | {name: text})
                 self.assertTrue(found)
                 self.assertTrue(any(breach.startswith(name) for breach in found), found)
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Figures of contacts: ever more of them, and how one comes from two nodes.
+
 #include "lodlab/core/contact/contact.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A collision in space as a figure of the plane.
+
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace viz {

@@ -1,12 +1,13 @@
 #pragma once
 
+/// \file
+/// The parts that figures of bodies are made of: outlines, nodes, contacts, impulses. World frame,
+/// metres. In the plane all goes into the panel's marks; in space bodies and nodes go into its
+/// scene, and what stands for points and ways into marks over it, pale where a surface hides them.
+
 #include <span>
 
 #include "lodlab/viz/draw/scene_view.hpp"
-
-// What every drawing of bodies is made of, in the plane and in space. World frame, metres. In the
-// plane all goes into the panel's marks; in space bodies and nodes go into its scene, and what
-// stands for points and ways into marks over it, pale where a surface hides them.
 
 namespace viz {
 

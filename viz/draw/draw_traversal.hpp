@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Figures of a traversal, level by level.
+
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace viz {

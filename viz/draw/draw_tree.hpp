@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Figures of a tree, level by level.
+
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace viz {

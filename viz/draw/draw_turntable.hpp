@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A video of a turning sphere tree.
+
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace viz {

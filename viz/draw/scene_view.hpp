@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// What pictures show of bodies and of a run: copies, so that a picture can be made when the run is
+/// over.
+
 #include <string>
 #include <vector>
 

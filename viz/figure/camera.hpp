@@ -1,9 +1,11 @@
 #pragma once
 
+/// \file
+/// From space to a panel of the plane: orthographic or in perspective.
+/// World frame, metres, y up.
+
 #include "lodlab/core/math/dimension.hpp"
 #include "lodlab/viz/figure/figure.hpp"
-
-// Cameras of pictures of space. World frame, metres, y up.
 
 namespace viz {
 

@@ -1,5 +1,9 @@
 #pragma once
 
+/// \file
+/// A picture as data: panels of marks with roles, no colours and no pixels. You may make one by
+/// hand.
+
 #include <array>
 #include <functional>
 #include <memory>

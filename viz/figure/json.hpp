@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A figure as JSON.
+
 #include <string>
 
 #include "lodlab/viz/figure/figure.hpp"

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// An animation as MP4, WebM or GIF, and which encoders are there.
+
 #include <filesystem>
 #include <string>
 

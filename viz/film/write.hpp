@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A video in the format that its file's ending names.
+
 #include <filesystem>
 
 #include "lodlab/viz/figure/figure.hpp"

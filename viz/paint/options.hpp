@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// How a figure is written: theme, size, and what is told of the progress.
+
 #include <functional>
 #include <string>
 
@@ -21,7 +24,8 @@ struct Progress {
 struct WriteOptions {
     Theme theme = Theme::light;
     Quality quality = Quality::p720;
-    bool few_bytes = false;  ///< a video in few bytes, for a page: lines stay clear, not every grain
+    bool few_bytes =
+        false;  ///< a video in few bytes, for a page: lines stay clear, not every grain
     std::function<void(const Progress&)> progress;  ///< called after every drawn frame of a video
     std::function<void(const std::string&)> warn;   ///< told of a fallback ("no H.264 encoder ...")
 };

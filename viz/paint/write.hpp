@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A figure as PNG, SVG, PDF or JSON, by its file's ending.
+
 #include <filesystem>
 #include <string>
 

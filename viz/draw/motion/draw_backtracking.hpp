@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A figure of inappropriate backtracking.
+
 #include "lodlab/core/exact/level_impact.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Pictures and videos of runs laid over a reference.
+
 #include "lodlab/viz/draw/motion/draw_motion.hpp"
 
 namespace viz {

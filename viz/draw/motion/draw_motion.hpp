@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Videos of a collision, or of a whole simulation.
+
 #include "lodlab/viz/draw/motion/draw_strip.hpp"
 
 namespace viz {

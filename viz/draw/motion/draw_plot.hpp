@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// Figures of curves.
+
 #include "lodlab/viz/figure/figure.hpp"
 
 namespace viz {

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A row of pictures for each run: before, at and after the collision.
+
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace viz {
