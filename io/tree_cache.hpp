@@ -17,6 +17,7 @@ namespace io {
 class TreeCache {
   public:
     TreeCache() = default;  ///< remembers nothing
+    /// `folder`: where they lie.
     explicit TreeCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     /// Of the user: $XDG_CACHE_HOME/lodlab where that is an absolute path, else ~/.cache/lodlab;

@@ -90,6 +90,7 @@ template <int Dim>
 
 /// Which collisions of two runs are the same event.
 struct Matching {
+    /// Two that are the same event.
     struct Pair {
         int reference = 0;  ///< index into the reference's collisions
         int seen = 0;       ///< index into the other's

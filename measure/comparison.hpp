@@ -45,6 +45,7 @@ struct Comparison {
     std::vector<FirstImpact> first_impacts;  ///< in order of time
 };
 
+/// How a comparison goes.
 struct ComparisonOptions {
     lod::FrameSettings settings;  ///< its deepest_level and finest are not used
     std::int64_t frames = 1;

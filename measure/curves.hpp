@@ -57,8 +57,11 @@ struct DegradationCurve {
 /// Every outcome, without loss (see README.md of this folder), and back. Throws lod::Error: input
 /// refused where a file is no such text, output failed.
 [[nodiscard]] std::string outcomes_json(const Outcomes& outcomes);
+/// `source` names the text in errors.
 [[nodiscard]] Outcomes outcomes_from_json(const std::string& text, const std::string& source);
+/// The file is complete or absent.
 void save_outcomes(const std::filesystem::path& path, const Outcomes& outcomes);
+/// Throws as outcomes_from_json does, and for a file that cannot be read.
 [[nodiscard]] Outcomes load_outcomes(const std::filesystem::path& path);
 
 }  // namespace measure

@@ -37,6 +37,7 @@ struct Outcome {
 struct Share {
     int index = 1;  ///< 1 to count
     int count = 1;
+    /// Whether the impact of that number is of this share.
     [[nodiscard]] bool holds(int number) const { return number % count == index - 1; }
 };
 
@@ -53,7 +54,9 @@ struct Plan {
     std::vector<lod::ContactModel> models;
     std::vector<lod::Response> responses;
 
+    /// How many: one for each model and response.
     [[nodiscard]] std::size_t curves() const { return models.size() * responses.size(); }
+    /// Of a curve, the exact one included.
     [[nodiscard]] std::size_t levels() const { return static_cast<std::size_t>(depth) + 2; }
     friend bool operator==(const Plan&, const Plan&) = default;
 };
@@ -73,11 +76,13 @@ struct Outcomes {
     Plan plan;
     std::vector<ImpactSample> impacts;  ///< by number
 
+    /// Whether every impact of the plan is there.
     [[nodiscard]] bool complete() const {
         return impacts.size() == static_cast<std::size_t>(plan.impacts);
     }
 };
 
+/// How a measurement goes; nothing here changes a result.
 struct DegradeOptions {
     Share share;
     const lod::Clock* clock = nullptr;       ///< nothing: times are 0, and every bit is repeatable

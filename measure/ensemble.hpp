@@ -24,6 +24,7 @@ struct Kind {
     /// e_k: how far the union of the balls of level k stands out of the shape at most [m].
     std::vector<double> protrusion;
 
+    /// e_k of a level; of the deepest for all that are deeper.
     [[nodiscard]] double protrusion_at(int level) const {
         return protrusion[(std::min)(static_cast<std::size_t>(level), protrusion.size() - 1)];
     }

@@ -61,6 +61,7 @@ struct PerceivedCost {
     double penetration = 0;
     double energy = 0;
 
+    /// All components together.
     [[nodiscard]] double sum() const {
         return gap + delay + angle + speed + spin + penetration + energy;
     }
@@ -95,6 +96,7 @@ template <int Dim>
                                   const BodyShapes<Dim>& shapes,
                                   const PerceivedSettings& settings = {});
 
+/// Every component in units of the settings.
 [[nodiscard]] PerceivedCost cost_of(const Perceived& error, const PerceivedSettings& settings);
 
 /// Whether each collision is the first of both its bodies; walls meet everybody for the first time.

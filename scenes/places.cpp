@@ -5,7 +5,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/files/ending.hpp"
-#include "lodlab/lod3d/source/import_limits.hpp"
+#include "lodlab/lod3d/source/file_mesh.hpp"
 #include "lodlab/scenes/spelling.hpp"
 
 namespace scenes {

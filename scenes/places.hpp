@@ -28,6 +28,7 @@ struct SharedFolder {
     std::string_view package;
     std::string_view folder;
 };
+/// Those that "package:NAME/FILE" may name.
 [[nodiscard]] std::span<const SharedFolder> shared_folders();
 
 /// Whether the name has the form "package:NAME/FILE".

@@ -6,7 +6,7 @@
 #include "lodlab/lod2d/shape/outline.hpp"
 #include "lodlab/lod2d/shape/overlap.hpp"
 #include "lodlab/lod2d/source/load.hpp"
-#include "lodlab/lod3d/source/import_limits.hpp"
+#include "lodlab/lod3d/source/file_mesh.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/raise.hpp"
 #include "lodlab/scenes/scene.hpp"

@@ -22,8 +22,10 @@ struct State {
     lod::Vector<Dim> velocity = lod::Vector<Dim>::Zero();
     lod::Spin<Dim> spin = lod::Spin<Dim>::Zero();
 };
+/// The state of a body now.
 template <int Dim>
 [[nodiscard]] State<Dim> state_of(const lod::Body<Dim>& body);
+/// Puts a body where a state says, moving as it says.
 template <int Dim>
 void put(const State<Dim>& state, lod::Body<Dim>& body);
 
@@ -104,6 +106,7 @@ struct Summary {
     double frame_ms_p99 = 0;
     double frame_ms_max = 0;
 };
+/// Adds up a run.
 template <int Dim>
 [[nodiscard]] Summary summarise(const Run<Dim>& run);
 

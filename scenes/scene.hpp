@@ -108,6 +108,7 @@ struct KeyNote {
     std::string unit;
     std::string otherwise;  ///< the default
 };
+/// Every key.
 [[nodiscard]] std::vector<KeyNote> key_notes();
 
 }  // namespace scenes

@@ -25,6 +25,7 @@ struct Setup {
     std::vector<std::string> warnings;
 };
 
+/// How shapes are read and trees found.
 struct SetupOptions {
     double raise_limits = 1;  ///< factor of the limits on the size of shape files, >= 1
     io::TreeCache cache{};    ///< where trees that were built before are found

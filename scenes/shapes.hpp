@@ -83,8 +83,11 @@ struct GeneratorNote {
 
 /// Shapes of the plane and their trees.
 struct PlaneShapes {
+    /// What a body is.
     using Shape = lod2d::Shape;
+    /// What its builder is asked for.
     using Settings = lod2d::TreeSettings;
+    /// What tells whether two bodies touch.
     using Border = lod2d::BoundaryIndex;
 
     static constexpr Vocabulary words{"area", "m^2", "m^4", "circles", "svg, svgz"};
@@ -96,34 +99,44 @@ struct PlaneShapes {
     [[nodiscard]] static Shape half_space();
     /// Throws lod::Error (usage) for an unknown builder.
     [[nodiscard]] static Settings settings(const TreeChoice& choice);
+    /// Builds its tree.
     [[nodiscard]] static lod::SphereTree<2> build(const Shape& shape, const Settings& settings);
     /// Adds all that decides the tree: the geometry, every setting.
     static void identify(const Shape& shape, const Settings& settings, io::Sha256& key);
+    /// How well the tree fits, level by level.
     [[nodiscard]] static lod::TreeReport report(const Shape& shape, const lod::SphereTree<2>& tree);
 
+    /// Area [m^2].
     [[nodiscard]] static double measure(const Shape& shape) { return shape.area; }
     /// About the centre of mass; times the density: the inertia.
     [[nodiscard]] static lod::Inertia<2> second_moment(const Shape& shape);
     /// What was done to the source to make a shape of it, and what is not exact: a line each.
     [[nodiscard]] static std::vector<std::string> remarks(const Shape& shape);
+    /// Whether its mass is not exact.
     [[nodiscard]] static bool is_approximate(const Shape&) { return false; }
 
     /// For exact contact, after the leaves.
     [[nodiscard]] static std::shared_ptr<const lod::ExactShape<2>> exact_of(const Shape& shape);
 
+    /// What touch() asks.
     [[nodiscard]] static Border border_of(const Shape& shape);
     /// Whether the posed shapes share a point.
     [[nodiscard]] static bool touch(const Border& a, const lod::Body<2>& body_a, const Border& b,
                                     const lod::Body<2>& body_b);
 
+    /// Every generator, for lists.
     [[nodiscard]] static std::vector<GeneratorNote> generators();
     [[nodiscard]] static std::vector<std::string_view> builders();  ///< the default first
 };
 
 /// Shapes of space and their trees.
 struct SpaceShapes {
+    /// As in PlaneShapes.
+    /// @{
     using Shape = lod3d::Solid;
     using Settings = lod3d::TreeSettings;
+    /// @}
+    /// What tells whether two bodies touch.
     struct Border {
         lod3d::MeshDistance distance;
         std::vector<lod3d::Point> of_parts;  ///< a point of each connected part, body frame
@@ -135,6 +148,8 @@ struct SpaceShapes {
     /// A mesh file or a generator. Throws lod::Error as lod3d::load_mesh, lod3d::make_solid and
     /// lod3d::generate do, and for a drawing or a text.
     [[nodiscard]] static Shape named(const std::string& spec, const ShapeChoice& choice);
+    /// As in PlaneShapes.
+    /// @{
     [[nodiscard]] static Shape half_space();
     [[nodiscard]] static Settings settings(const TreeChoice& choice);
     [[nodiscard]] static lod::SphereTree<3> build(const Shape& shape, const Settings& settings);
@@ -154,12 +169,14 @@ struct SpaceShapes {
 
     [[nodiscard]] static std::vector<GeneratorNote> generators();
     [[nodiscard]] static std::vector<std::string_view> builders();
+    /// @}
 };
 
 /// The table of types: all that scenes and the program must know to treat the plane and space by
 /// one code.
 template <int Dim>
 using Shapes = std::tuple_element_t<Dim - 2, std::tuple<PlaneShapes, SpaceShapes>>;
+/// The shape of a body in so many dimensions.
 template <int Dim>
 using Shape = typename Shapes<Dim>::Shape;
 

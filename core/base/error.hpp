@@ -24,7 +24,9 @@ enum class ErrorKind {
 /// brings into it, line ends and other control characters are blanks there.
 class Error : public std::runtime_error {
   public:
+    /// `line`: what what() gives back.
     Error(ErrorKind kind, std::string line);
+    /// Why it was thrown.
     [[nodiscard]] ErrorKind kind() const { return kind_; }
 
   private:

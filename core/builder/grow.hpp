@@ -21,6 +21,7 @@
 
 namespace lod {
 
+/// How a tree is grown.
 struct GrowSettings {
     int branching = 4;  ///< most children of a node, 2 to 64
     int depth = 4;      ///< levels below the root, 0 to 12; branching^depth is at most 1048576

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// How far a union of balls stands out of a shape, between two bounds.
+
 #include <algorithm>
 #include <cmath>
 #include <concepts>

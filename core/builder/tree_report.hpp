@@ -29,6 +29,7 @@ struct LevelReport {
     bool hulls_certified = false;  ///< every node's hull holds its piece (certify_hulls)
 };
 
+/// What every level of a tree is worth.
 struct TreeReport {
     double bounding_diameter = 0;  ///< of the shape's least enclosing ball [m]
     double tolerance = 0;          ///< of the worst protrusions [m]

@@ -31,6 +31,7 @@ enum class PointModel {
     radius_ratio,           ///< divides the line in the ratio of the radii (paper, eq. 5)
     plane_of_intersection,  ///< where the plane through the balls' intersection cuts the line
 };
+/// Their words in scenes, options and messages.
 [[nodiscard]] constexpr std::array<std::string_view, 2> names_of(PointModel) {
     return {"radius_ratio", "plane_of_intersection"};
 }
@@ -43,6 +44,7 @@ enum class ContactModel {
     node_normal,  ///< the surfaces that the two nodes stand for, as far as each is flat
     hull,         ///< the convex hulls of what the two nodes stand for
 };
+/// Their words in scenes, options and messages.
 [[nodiscard]] constexpr std::array<std::string_view, 3> names_of(ContactModel) {
     return {"centre_line", "node_normal", "hull"};
 }

@@ -22,6 +22,7 @@ struct PatchContact {
     Contact<Dim> contact;
     Range nodes;  ///< into FrontModel::node_pairs: those of its patch
 };
+/// What the contact model makes of a front.
 template <int Dim>
 struct FrontModel {
     std::vector<NodePair> node_pairs;  ///< that nothing proved apart, patch by patch

@@ -22,11 +22,13 @@ class BallUnion final : public ExactShape<Dim> {
     [[nodiscard]] std::uint64_t hash() const override { return hash_; }
     [[nodiscard]] std::span<const Vector<Dim>> witnesses() const override { return centres_; }
     [[nodiscard]] bool holds(const Vector<Dim>& p) const override;
+    /// Walks every ball of one against every ball of the other.
     void visit_pairs(const ExactShape<Dim>& b, const Placement<Dim>& b_in_a,
                      PartVisitor<Dim>& visitor) const override;
     /// Balls touch in single points: keeps all.
     void keep_corners(const Vector<Dim>&, double, std::vector<Contact<Dim>>&) const override {}
 
+    /// Body frame.
     [[nodiscard]] std::span<const Sphere<Dim>> balls() const { return balls_; }
 
   private:

@@ -17,9 +17,11 @@ struct Placement {
     Matrix<Dim> rotation = Matrix<Dim>::Identity();
     Vector<Dim> position = Vector<Dim>::Zero();
 
+    /// A point of the body frame in the world.
     [[nodiscard]] Vector<Dim> carry(const Vector<Dim>& p) const { return rotation * p + position; }
 };
 
+/// Where a body stands now.
 template <int Dim>
 [[nodiscard]] Placement<Dim> placement(const Body<Dim>& body) {
     return {Space<Dim>::rotation(body.orientation), body.position};
@@ -45,11 +47,13 @@ struct ConvexPart {
     std::size_t count = 0;
     double radius = 0;  ///< >= 0 [m]
 
+    /// The points whose hull it is.
     [[nodiscard]] std::span<const Vector<Dim>> corners() const {
         return std::span(corner).first(count);
     }
 };
 
+/// A facet as a convex part.
 template <int Dim>
 [[nodiscard]] ConvexPart<Dim> part_of(const Facet<Dim>& facet) {
     ConvexPart<Dim> part;
@@ -82,6 +86,7 @@ struct PartPair {
     std::array<Feet, most_feet> feet;
     std::size_t feet_count = 0;
 
+    /// One more direction that may separate the parts. Requires: room for it.
     void add_direction(const Vector<Dim>& unit) { direction[directions++] = unit; }
 };
 
@@ -94,6 +99,7 @@ class PartVisitor {
     /// the unit vector `direction`, A to B. Frame of A.
     [[nodiscard]] virtual bool skips(const ConvexPart<Dim>& a, const ConvexPart<Dim>& b,
                                      const Vector<Dim>& direction, double gap) const = 0;
+    /// Called for every pair of parts that is not skipped.
     virtual void visit(const PartPair<Dim>& pair) = 0;
 
     double feet_within = -1;  ///< how far apart feet are listed [m]; below 0: none are

@@ -9,6 +9,7 @@
 
 namespace lod {
 
+/// How far ahead, and how exactly, an impact is looked for.
 struct ImpactSettings {
     double horizon = 1;  ///< how far ahead is looked [s], >= 0
     /// Bodies no further apart than this touch [m], > 0. No less than some 1e-12 of their size and
@@ -20,6 +21,7 @@ struct ImpactSettings {
     int most_rounds = 10'000;  ///< advances before the search gives up, >= 0
 };
 
+/// What the search for an impact found.
 enum class ImpactOutcome {
     touching,     ///< converged: contacts within the tolerance, at least one of them approaching
     never,        ///< nothing touches within the horizon

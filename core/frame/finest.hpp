@@ -20,6 +20,7 @@ enum class Finest {
     exact,      ///< the true shapes: whether they overlap, and where they touched
     backtrack,  ///< and the response happens at the time of impact, not at the end of the frame
 };
+/// Their words in scenes, options and messages.
 [[nodiscard]] constexpr std::array<std::string_view, 3> names_of(Finest) {
     return {"leaves", "exact", "backtrack"};
 }
@@ -102,6 +103,7 @@ class TrueShapePass {
     /// otherwise its contacts are carried to the present. Where the budget cuts something short,
     /// Budget::cut says where.
     void refine(const TrueShapeTask<Dim>& task, Budget& budget, Fronts& fronts);
+    /// Forgets what was found.
     void clear() { found_.clear(); }
 
     /// In the order of the candidates.

@@ -67,6 +67,7 @@ struct FrameRecord {
     /// What fast bodies ran into on the way to the next frame, in the order of time.
     std::vector<SweptImpact<Dim>> swept;
 
+    /// Whether the budget ended before the finest level.
     [[nodiscard]] bool interrupted() const { return cut.has_value(); }
     /// The node pairs of a pair or behind a contact.
     [[nodiscard]] std::span<const NodePair> nodes_of(const Range& range) const {

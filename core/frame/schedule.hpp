@@ -20,6 +20,7 @@ enum class Priority {
     closing_speed,  ///< faster approach of the two centres of mass first: their errors move
                     ///< furthest
 };
+/// Their words in scenes, options and messages.
 [[nodiscard]] constexpr std::array<std::string_view, 2> names_of(Priority) {
     return {"in_order", "closing_speed"};
 }
@@ -48,6 +49,7 @@ struct Fronts {
     std::vector<ListedFront> of_pair;
     FrontList list;
 
+    /// The overlapping nodes of a candidate pair.
     [[nodiscard]] std::span<const NodePair> pairs(std::size_t pair) const {
         return list.pairs_of(of_pair[pair]);
     }

@@ -55,6 +55,7 @@ template <int Dim>
 template <int Dim>
 class Sweeper {
   public:
+    /// How an impact between two frames is answered.
     struct Model {
         ContactModel contact_model = ContactModel::hull;
         PointModel point_model = PointModel::radius_ratio;

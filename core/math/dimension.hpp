@@ -23,7 +23,9 @@ struct Space {
     static_assert(Dim == 2 || Dim == 3);
     static constexpr int spin_size = Dim == 2 ? 1 : 3;
 
+    /// A point, velocity or force.
     using Vector = FixedMatrix<Dim, 1>;
+    /// A linear map, such as a rotation.
     using Matrix = FixedMatrix<Dim, Dim>;
     using Spin = FixedMatrix<spin_size, 1>;             ///< angular velocity [rad/s], torque, ...
     using Inertia = FixedMatrix<spin_size, spin_size>;  ///< [kg m^2]
@@ -96,6 +98,7 @@ struct Space {
             return along.cross(normal);
     }
 
+    /// Body frame and world frame have the same axes.
     static Orientation unturned() {
         if constexpr (Dim == 2)
             return 0.0;
@@ -166,6 +169,7 @@ struct Space {
         Spin turn;
         Spin spin;
     };
+    /// Turns a body that nothing acts on for h seconds.
     static FreeTurn free_turn(const Orientation& orientation, const Inertia& inertia,
                               const Inertia& inverse_inertia, const Spin& spin, double h) {
         if constexpr (Dim == 2) {
@@ -204,14 +208,19 @@ struct Space {
     }
 };
 
+/// A point, velocity or force: two numbers in the plane, three in space.
 template <int Dim>
 using Vector = typename Space<Dim>::Vector;
+/// A linear map, such as a rotation.
 template <int Dim>
 using Matrix = typename Space<Dim>::Matrix;
+/// Angular velocity, torque and the like: one number in the plane, three in space.
 template <int Dim>
 using Spin = typename Space<Dim>::Spin;
+/// Moments of inertia: one number in the plane, a matrix in space.
 template <int Dim>
 using Inertia = typename Space<Dim>::Inertia;
+/// Body frame to world frame: an angle [rad] in the plane, a unit quaternion in space.
 template <int Dim>
 using Orientation = typename Space<Dim>::Orientation;
 

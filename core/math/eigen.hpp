@@ -13,6 +13,7 @@
 /// never sees the Eigen of a program: whatever its settings and release are, nothing changes here.
 namespace lod {
 
+/// The same numbers as Eigen's.
 template <int Rows, int Cols>
 [[nodiscard]] LOD_INLINE auto to_eigen(const FixedMatrix<Rows, Cols>& matrix) {
     Eigen::Matrix<double, Rows, Cols> result;
@@ -21,6 +22,7 @@ template <int Rows, int Cols>
     return result;
 }
 
+/// The same rotation as Eigen's.
 [[nodiscard]] LOD_INLINE auto to_eigen(const Quaternion& q) {
     return Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z());
 }
@@ -38,6 +40,7 @@ template <class Expression>
     return result;
 }
 
+/// Of a quaternion of doubles.
 template <class Expression>
 [[nodiscard]] LOD_INLINE Quaternion
 from_eigen(const Eigen::QuaternionBase<Expression>& quaternion) {

@@ -39,6 +39,8 @@ struct FixedMatrix {
             for (int c = 0; c < Cols; ++c) (*this)(r, c) = by_rows[r * Cols + c];
     }
 
+    /// As Eigen's of the same name.
+    /// @{
     LOD_INLINE static constexpr FixedMatrix Constant(double value) {
         FixedMatrix m;
         for (double& number : m.entry) number = value;
@@ -58,7 +60,10 @@ struct FixedMatrix {
     LOD_INLINE static constexpr FixedMatrix UnitX() { return Unit(0); }
     LOD_INLINE static constexpr FixedMatrix UnitY() { return Unit(1); }
     LOD_INLINE static constexpr FixedMatrix UnitZ() { return Unit(2); }
+    /// @}
 
+    /// As Eigen's of the same name.
+    /// @{
     [[nodiscard]] LOD_INLINE static constexpr int size() { return Rows * Cols; }
     [[nodiscard]] LOD_INLINE static constexpr int rows() { return Rows; }
     [[nodiscard]] LOD_INLINE static constexpr int cols() { return Cols; }
@@ -91,7 +96,10 @@ struct FixedMatrix {
     [[nodiscard]] LOD_INLINE constexpr const double* end() const { return entry + Rows * Cols; }
 
     LOD_INLINE constexpr void setZero() { *this = Zero(); }
+    /// @}
 
+    /// Number by number.
+    /// @{
     LOD_INLINE constexpr FixedMatrix& operator+=(const FixedMatrix& b) {
         for (int i = 0; i < Rows * Cols; ++i) entry[i] += b.entry[i];
         return *this;
@@ -126,7 +134,10 @@ struct FixedMatrix {
             if (a.entry[i] != b.entry[i]) return false;
         return true;
     }
+    /// @}
 
+    /// As Eigen's of the same name; set_col sets a column.
+    /// @{
     [[nodiscard]] LOD_INLINE constexpr FixedMatrix<Cols, Rows> transpose() const {
         FixedMatrix<Cols, Rows> m;
         for (int r = 0; r < Rows; ++r)
@@ -147,6 +158,7 @@ struct FixedMatrix {
         for (int r = 0; r < Rows; ++r) v.entry[r] = (*this)(r, r);
         return v;
     }
+    /// @}
     /// The square matrix with this vector on its diagonal.
     [[nodiscard]] LOD_INLINE constexpr FixedMatrix<Rows, Rows> asDiagonal() const
         requires(is_vector) {
@@ -155,6 +167,8 @@ struct FixedMatrix {
         return m;
     }
 
+    /// As Eigen's of the same name.
+    /// @{
     [[nodiscard]] LOD_INLINE constexpr double dot(const FixedMatrix& b) const requires(is_vector) {
         double sum = entry[0] * b.entry[0];
         for (int i = 1; i < Rows; ++i) sum += entry[i] * b.entry[i];
@@ -164,6 +178,7 @@ struct FixedMatrix {
         requires(Rows == 3 && is_vector) {
         return {y() * b.z() - z() * b.y(), z() * b.x() - x() * b.z(), x() * b.y() - y() * b.x()};
     }
+    /// @}
     /// A unit vector across this one. Requires that it is not zero.
     [[nodiscard]] LOD_INLINE FixedMatrix unitOrthogonal() const requires(Rows == 3 && is_vector) {
         const double most_along_z = 1e-12 * std::abs(z());
@@ -171,6 +186,8 @@ struct FixedMatrix {
                    ? FixedMatrix(-y(), x(), 0).normalized()
                    : FixedMatrix(0, -z(), y()).normalized();
     }
+    /// As Eigen's of the same name, in the order in which the numbers stand.
+    /// @{
     [[nodiscard]] LOD_INLINE constexpr double sum() const {
         double total = entry[0];
         for (int i = 1; i < Rows * Cols; ++i) total += entry[i];
@@ -185,11 +202,13 @@ struct FixedMatrix {
         return total;
     }
     [[nodiscard]] LOD_INLINE double norm() const { return std::sqrt(squaredNorm()); }
+    /// @}
     /// Of length 1; itself where it has no length.
     [[nodiscard]] LOD_INLINE FixedMatrix normalized() const {
         const double square = squaredNorm();
         return square > 0 ? *this / std::sqrt(square) : *this;
     }
+    /// Makes it normalized().
     LOD_INLINE void normalize() { *this = normalized(); }
     /// The norm, also where the squares of its numbers overflow or underflow.
     [[nodiscard]] LOD_INLINE double stableNorm() const {
@@ -206,6 +225,8 @@ struct FixedMatrix {
         return square > 0 ? *this / (std::sqrt(square) * most) : *this;
     }
 
+    /// As Eigen's of the same name.
+    /// @{
     [[nodiscard]] LOD_INLINE constexpr FixedMatrix cwiseAbs() const {
         FixedMatrix m = *this;
         for (double& number : m.entry) number = std::abs(number);
@@ -232,6 +253,7 @@ struct FixedMatrix {
         for (int i = 0; i < Rows * Cols; ++i) m.entry[i] = entry[i] * b.entry[i];
         return m;
     }
+    /// @}
     /// Each rounded to the nearest whole number, halves away from 0.
     [[nodiscard]] LOD_INLINE FixedMatrix cwiseRound() const {
         FixedMatrix m = *this;
@@ -244,11 +266,13 @@ struct FixedMatrix {
             if (!(entry[i] <= b.entry[i])) return false;
         return true;
     }
+    /// Whether any number is less than the other's at its place.
     [[nodiscard]] LOD_INLINE constexpr bool any_below(const FixedMatrix& b) const {
         for (int i = 0; i < Rows * Cols; ++i)
             if (entry[i] < b.entry[i]) return true;
         return false;
     }
+    /// The largest number.
     [[nodiscard]] LOD_INLINE constexpr double maxCoeff() const {
         double most = entry[0];
         for (int i = 1; i < Rows * Cols; ++i) most = most_of(most, entry[i]);
@@ -261,6 +285,7 @@ struct FixedMatrix {
             if (entry[i] > entry[place]) place = i;
         return place;
     }
+    /// Whether no number is infinite or none.
     [[nodiscard]] LOD_INLINE bool allFinite() const {
         for (const double number : entry)
             if (!std::isfinite(number)) return false;
@@ -289,6 +314,7 @@ struct FixedMatrix {
     LOD_INLINE static constexpr double most_of(double a, double b) { return a < b ? b : a; }
 };
 
+/// The product; every entry is summed in the order of the row.
 template <int Rows, int Middle, int Cols>
 [[nodiscard]] LOD_INLINE constexpr FixedMatrix<Rows, Cols> operator*(
     const FixedMatrix<Rows, Middle>& a, const FixedMatrix<Middle, Cols>& b) {
@@ -306,6 +332,8 @@ template <int Rows, int Middle, int Cols>
 class Quaternion {
   public:
     Quaternion() = default;
+    /// As Eigen's of the same name; of_coeffs takes what coeffs() gives.
+    /// @{
     LOD_INLINE constexpr Quaternion(double w, double x, double y, double z) : q_{x, y, z, w} {}
     LOD_INLINE static constexpr Quaternion Identity() { return {1, 0, 0, 0}; }
     LOD_INLINE static constexpr Quaternion of_coeffs(const FixedMatrix<4, 1>& xyzw) {
@@ -336,6 +364,7 @@ class Quaternion {
     LOD_INLINE friend constexpr bool operator==(const Quaternion& a, const Quaternion& b) {
         return a.q_ == b.q_;
     }
+    /// @}
 
     /// Requires a norm of 1.
     [[nodiscard]] LOD_INLINE constexpr FixedMatrix<3, 3> toRotationMatrix() const {

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The default response: one net impulse a pair, exact in energy, in bounded time.
+
 #include <cstdint>
 #include <span>
 #include <vector>

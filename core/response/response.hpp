@@ -24,6 +24,7 @@ enum class Response {
     reflections,  ///< reference: generalised reflections (Smith, Kaufman, Vouga, Tamstorf and
                   ///< Grinspun, Reflections on Simultaneous Impact, 2012)
 };
+/// Their words in scenes, options and messages.
 [[nodiscard]] constexpr std::array<std::string_view, 6> names_of(Response) {
     return {"net", "sum", "mean", "sequential", "lcp", "reflections"};
 }
@@ -53,6 +54,7 @@ class Resolver {
     static constexpr double gauss_seidel_share = 2e-15;
     static constexpr int most_reflections = 1000;
 
+    /// See the class. `impulses` is replaced.
     ResponseReport resolve(Response response, std::span<const Impact<Dim>> impacts,
                            std::span<Body<Dim>> bodies, std::vector<double>& impulses);
 

@@ -33,6 +33,7 @@ struct Body {
     /// The true shape, for the finest level of detail; without it the body stops at its leaves.
     std::shared_ptr<const ExactShape<Dim>> exact;
 
+    /// Whether no impulse moves it.
     [[nodiscard]] bool is_static() const { return inverse_mass == 0; }
 };
 

@@ -15,12 +15,14 @@ namespace lod {
 class Clock {
   public:
     virtual ~Clock() = default;
+    /// Time since any one moment; never decreasing.
     [[nodiscard]] virtual std::chrono::nanoseconds now() const = 0;
 };
 
 /// std::chrono::steady_clock.
 class SteadyClock final : public Clock {
   public:
+    /// Time since any one moment; never decreasing.
     [[nodiscard]] std::chrono::nanoseconds now() const override;
 };
 
@@ -38,6 +40,7 @@ struct Cut {
 /// of the quota could not pay for is not kept.
 class Budget {
   public:
+    /// Grants every test: frames go to the finest level that their settings ask for.
     static Budget unlimited();
     /// `pair_cost`: of a node pair of a front, its modelling and its share of the response, in node
     /// tests.
@@ -67,10 +70,13 @@ class Budget {
     /// The number of node pairs that will have to be modelled and answered.
     void reserve(std::uint64_t node_pairs);
 
+    /// Node tests done so far.
     [[nodiscard]] std::uint64_t spent() const { return spent_; }
+    /// Whether it was made by unlimited().
     [[nodiscard]] bool is_unlimited() const {
         return clock_ == nullptr && quota_ == no_limit && !until_;
     }
+    /// Whether it has refused something.
     [[nodiscard]] bool ended() const { return ended_; }
     /// Where it ended; nothing where it did not.
     [[nodiscard]] std::optional<Cut> cut() const;

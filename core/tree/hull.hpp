@@ -64,10 +64,12 @@ struct HullView {
     std::span<const std::int32_t> loops;       ///< corner numbers, face by face
     std::span<const HullEdge> edges;           ///< none in the plane
 
+    /// Whether there is no hull, as below a tight one.
     [[nodiscard]] bool empty() const { return normals.empty(); }
     /// Whether every edge between two faces (in the plane every corner between two sides) is run
     /// through once each way: the faces are all there and turned the same way.
     [[nodiscard]] bool is_closed() const;
+    /// The corners of a face, by number.
     [[nodiscard]] std::span<const std::int32_t> loop(std::size_t face) const {
         const auto first = static_cast<std::size_t>(loop_begin[face]);
         return loops.subspan(first, static_cast<std::size_t>(loop_begin[face + 1]) - first);
@@ -87,12 +89,16 @@ class NodeHulls {
     /// The next node's: a half-space with its border through the origin, one face without corners.
     void add_half_space(const Vector<Dim>& normal);
 
+    /// Whether the tree has none.
     [[nodiscard]] bool empty() const { return corner_begin_.size() == 1; }
+    /// How many nodes have an entry.
     [[nodiscard]] int size() const { return static_cast<int>(corner_begin_.size()) - 1; }
     /// The node's own, empty below a tight one. Requires: node < size().
     [[nodiscard]] HullView<Dim> of(int node) const;
+    /// Whether Hull::tight was set for the node.
     [[nodiscard]] bool is_tight(int node) const { return tight_[static_cast<std::size_t>(node)]; }
 
+    /// Whether Hull::round was set for the node.
     [[nodiscard]] bool is_round(int node) const { return round_[static_cast<std::size_t>(node)]; }
 
     /// The node whose hull says where this one's surface is: the highest above it (or itself) whose

@@ -37,6 +37,7 @@ class PosedTree {
         return rotation_ * tree_->mean_normal(node);
     }
 
+    /// Whether it stands for a half-space.
     [[nodiscard]] bool is_half_space() const { return tree_->is_half_space(); }
     /// World frame; its normal is a unit. Requires: is_half_space().
     [[nodiscard]] HalfSpace<Dim> half_space() const {
@@ -44,17 +45,23 @@ class PosedTree {
         return {normal, normal.dot(position_)};
     }
 
+    /// Body frame to world frame.
     [[nodiscard]] const Matrix<Dim>& rotation() const { return rotation_; }
+    /// Of the body's centre of mass, world frame [m].
     [[nodiscard]] const Vector<Dim>& position() const { return position_; }
+    /// The tree in the body frame. Requires: pose() was called.
     [[nodiscard]] const SphereTree<Dim>& tree() const { return *tree_; }
     /// Bound of all rounding between the pose and the verdict of a distance test, this body's share
     /// [m]: a test adds it to its reach, so that rounding never calls touching bodies apart. The
     /// test against a half-space, a sum of products of coordinates, adds it twice.
     [[nodiscard]] double rounding() const { return rounding_; }
+    /// One coordinate of every node, world frame; set for carried nodes.
     [[nodiscard]] const double* centres(int axis) const {
         return centre_[static_cast<std::size_t>(axis)].data();
     }
+    /// Of every node [m].
     [[nodiscard]] const double* radii() const { return radius_.data(); }
+    /// How many nodes this pose has carried so far: a measure of work.
     [[nodiscard]] int carried_nodes() const { return carried_nodes_; }
 
   private:

@@ -28,6 +28,7 @@ enum class Verdict {
     possible,        ///< nodes overlap, none of them leaf with leaf
     true_collision,  ///< leaves overlap
 };
+/// Their words in messages and results.
 [[nodiscard]] constexpr std::array<std::string_view, 3> names_of(Verdict) {
     return {"apart", "possible", "true"};
 }
@@ -57,6 +58,7 @@ class FrontList {
   public:
     /// Forgets all fronts.
     void clear() { used_ = 0; }
+    /// The node pairs of one of them.
     [[nodiscard]] std::span<const NodePair> pairs_of(const ListedFront& front) const {
         return front.pairs.of(std::span<const NodePair>(room_));
     }
@@ -69,7 +71,9 @@ class FrontList {
 
     /// Room for `more` pairs behind the last one; what is written there counts once it is taken.
     [[nodiscard]] NodePair* room_for(std::size_t more);
+    /// Makes that many of the pairs written last count.
     void take(std::size_t count) { used_ += count; }
+    /// Pairs of all fronts.
     [[nodiscard]] std::size_t size() const { return used_; }
     /// Forgets all from there on.
     void shorten(std::size_t size) { used_ = size; }
@@ -82,6 +86,7 @@ class FrontList {
     std::size_t used_ = 0;
 };
 
+/// How a try to refine by one level ended.
 enum class Refinement {
     finished,     ///< the front stands one level deeper
     interrupted,  ///< the budget ended within the level; the front is as it was

@@ -40,18 +40,27 @@ struct SphereTree {
     /// only node stands for all of it, exactly; that node's ball is meaningless.
     std::optional<Vector<Dim>> half_space;
 
+    /// Nodes.
     [[nodiscard]] int size() const { return static_cast<int>(radius.size()); }
+    /// The root's included.
     [[nodiscard]] int levels() const { return static_cast<int>(level_begin.size()) - 1; }
+    /// Whether it stands for a half-space.
     [[nodiscard]] bool is_half_space() const { return half_space.has_value(); }
+    /// Whether its nodes have hulls, as those of every builder here do.
     [[nodiscard]] bool has_hulls() const { return !hulls.empty(); }
+    /// Whether the node has no children.
     [[nodiscard]] bool is_leaf(int node) const { return child_count[index(node)] == 0; }
+    /// The node's ball, body frame.
     [[nodiscard]] Sphere<Dim> sphere(int node) const;
+    /// The node's entry of `normal`.
     [[nodiscard]] Vector<Dim> mean_normal(int node) const;
+    /// 0 for the root.
     [[nodiscard]] int level_of(int node) const;
 
     /// The nodes of level k and the leaves above it, in order of their numbers.
     [[nodiscard]] std::vector<int> level_nodes(int level) const;
 
+    /// A node's number as the index of an array.
     static std::size_t index(int node) { return static_cast<std::size_t>(node); }
 };
 

@@ -17,16 +17,21 @@ namespace lod {
 /// folder, full disk) throws Error (output failed) naming the final file.
 class OutputFile {
   public:
+    /// Begins the part; what the final path names stays as it is until commit().
     explicit OutputFile(std::filesystem::path final_path);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
+    /// Appends bytes, or writes over them after seek().
     void write(const void* bytes, std::size_t count);
+    /// Appends a text.
     void write(std::string_view text) { write(text.data(), text.size()); }
     /// Moves the write position, for formats that go back to fill in their header.
     void seek(std::size_t position);
+    /// Bytes so far.
     [[nodiscard]] std::size_t size() const { return size_; }
+    /// Gives the file its final name.
     void commit();
 
     /// Where the bytes are after commit(): the file itself, no link.

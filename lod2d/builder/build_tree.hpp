@@ -23,11 +23,13 @@ enum class Builder {
     medial,    ///< the same from circles on the medial axis too; the default, since it fits best
 };
 
+/// Their words in scenes, options and messages.
 [[nodiscard]] constexpr std::array<std::string_view, 3> names_of(Builder) {
     return {"quadtree", "pieces", "medial"};
 }
 static_assert(names_of(Builder{}).size() == static_cast<std::size_t>(Builder::medial) + 1);
 
+/// How a circle tree is built.
 struct TreeSettings {
     Builder builder = Builder::medial;
     int branching = 4;  ///< most children of a node, 2 to 64; the quadtree has 4 always

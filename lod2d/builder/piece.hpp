@@ -44,7 +44,9 @@ class PolygonPiece {
     /// The corners and side normals of the piece's convex hull.
     [[nodiscard]] lod::HullHints<2> hull_hints() const;
 
+    /// The convex polygons.
     [[nodiscard]] const ConvexParts& parts() const { return parts_; }
+    /// The shape's border in the piece.
     [[nodiscard]] std::span<const BorderSegment> border() const { return border_; }
 
   private:

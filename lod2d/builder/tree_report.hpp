@@ -12,6 +12,7 @@ namespace lod2d {
 using lod::LevelReport;
 using lod::TreeReport;
 
+/// How exactly a tree is measured.
 struct ReportSettings {
     double tolerance = 1e-6;  ///< of the worst protrusion, as a share of the bounding diameter, > 0
     int samples = 4000;       ///< least number of points on a level's border, for the mean

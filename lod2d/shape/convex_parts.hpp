@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// A polygon cut into convex parts.
+
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +15,7 @@ struct ConvexParts {
     std::vector<Point> corners;
     std::vector<std::int32_t> begin{0};  ///< part i is [begin[i], begin[i + 1]) of the corners
 
+    /// How many polygons.
     [[nodiscard]] std::size_t count() const { return begin.size() - 1; }
 };
 

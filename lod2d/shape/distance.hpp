@@ -33,6 +33,7 @@ struct NearestPoint {
 /// nothing, and may run in parallel.
 class BoundaryIndex {
   public:
+    /// A box of the tree and what follows it.
     struct Node {
         Box box;
         std::int32_t right = 0;       ///< the second child; the first follows its parent. 0: a leaf
@@ -42,10 +43,12 @@ class BoundaryIndex {
         bool one_run = false;         ///< edges of one ring
     };
 
+    /// Copies the polygon's points.
     explicit BoundaryIndex(const Polygon& polygon);
 
     /// Whether the point lies in the closed region. Exact (see orientation.hpp).
     [[nodiscard]] bool inside(const Point& p) const;
+    /// The boundary point nearest to p.
     [[nodiscard]] NearestPoint nearest(const Point& p) const;
     /// To the region: 0 inside [m].
     [[nodiscard]] double distance(const Point& p) const;
@@ -54,11 +57,14 @@ class BoundaryIndex {
 
     /// Writes the same boundary under a pose into `result`, whose storage is used again.
     void carry(const Pose& pose, BoundaryIndex& result) const;
+    /// The same boundary under a pose.
     [[nodiscard]] BoundaryIndex carried(const Pose& pose) const;
 
     /// Node 0 is the root.
     [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+    /// Where an edge begins; its region lies on its left.
     [[nodiscard]] const Point& edge_start(std::int32_t edge) const { return points_[index(edge)]; }
+    /// Where it ends.
     [[nodiscard]] const Point& edge_end(std::int32_t edge) const {
         return points_[index(edge + 1)];
     }

@@ -14,19 +14,24 @@ namespace lod2d {
 /// A polygon as a body's exact shape.
 class ExactOutline final : public lod::ExactShape<2> {
   public:
+    /// Copies the shape's polygon.
     explicit ExactOutline(const Shape& shape);
 
     [[nodiscard]] double radius() const override { return radius_; }
     [[nodiscard]] std::uint64_t hash() const override { return hash_; }
     [[nodiscard]] std::span<const Point> witnesses() const override { return witnesses_; }
+    /// Whether the closed region holds the point.
     [[nodiscard]] bool holds(const Point& p) const override { return index_.inside(p); }
+    /// Walks the edges of both by their trees of boxes.
     void visit_pairs(const lod::ExactShape<2>& b, const lod::Placement<2>& b_in_a,
                      lod::PartVisitor<2>& visitor) const override;
     /// The two end points.
     void keep_corners(const Point& normal, double tolerance,
                       std::vector<lod::Contact<2>>& contacts) const override;
 
+    /// A box of the tree of edges.
     [[nodiscard]] lod::BoxNode<2> box_node(std::int32_t i) const;
+    /// The two ends of an edge.
     [[nodiscard]] lod::Facet<2> facet(std::int32_t edge) const;
 
   private:

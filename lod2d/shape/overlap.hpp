@@ -19,8 +19,10 @@ struct ClosestPoints {
 /// coordinates given; carrying rounds them by a few units in the last place of the position.
 /// Regions that only touch overlap. The oracle of every interruption test.
 [[nodiscard]] bool overlap(const BoundaryIndex& a, const BoundaryIndex& b);
+/// The same of two shapes where they stand.
 [[nodiscard]] bool overlap(const Shape& a, const Pose& pose_a, const Shape& b, const Pose& pose_b);
 
+/// The shortest way between two regions, both in the world frame.
 [[nodiscard]] ClosestPoints closest_points(const BoundaryIndex& a, const BoundaryIndex& b);
 /// Between the two regions, 0 when they share a point [m].
 [[nodiscard]] double distance(const BoundaryIndex& a, const BoundaryIndex& b);

@@ -11,6 +11,7 @@
 
 namespace lod2d {
 
+/// A point of the plane [m].
 using Point = lod::Vector<2>;
 using Ring =
     std::vector<Point>;  ///< closed: the last point joins the first; no point twice in a row
@@ -21,6 +22,7 @@ struct Polygon {
     std::vector<Ring> rings;
 };
 
+/// A box of the plane [m].
 using Box = lod::Box<2>;
 
 [[nodiscard]] double polygon_area(const Polygon& polygon);  ///< by Green's theorem [m^2]

@@ -10,6 +10,7 @@
 
 namespace lod2d {
 
+/// How a text becomes a shape.
 struct FontSettings {
     OutlineSettings outline;
     /// A fontconfig name: "Inter", "Inter:bold", "DejaVu Serif". Where no such font is installed,

@@ -11,6 +11,7 @@
 
 namespace lod2d {
 
+/// How a shape is read, whatever it is.
 struct LoadSettings {
     OutlineSettings outline;  ///< of files and texts; generators are in metres by their parameters
     std::string font = "Inter";                 ///< of texts: a fontconfig name

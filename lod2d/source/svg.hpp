@@ -18,7 +18,7 @@ namespace lod2d {
 /// says so).
 ///
 /// A drawing of paths, basic shapes, groups, transforms and colours is read to the last bit. Any
-/// other goes through librsvg, which resolves style sheets, `use`, nested <svg>, switch (English is
+/// other goes through librsvg, which resolves style sheets, `use`, nested `svg`, switch (English is
 /// taken), clips, markers and units, to about 1e-9 of the drawing's size; a remark says so. A file
 /// that only strokes is drawn by its strokes: width, joins, caps, miter limit, dashes.
 ///

@@ -21,11 +21,13 @@ enum class Builder {
     cover,   ///< spheres searched for, so that they stand out little on their level and the next
 };
 
+/// Their words in scenes, options and messages.
 [[nodiscard]] constexpr std::array<std::string_view, 2> names_of(Builder) {
     return {"octree", "cover"};
 }
 static_assert(names_of(Builder{}).size() == static_cast<std::size_t>(Builder::cover) + 1);
 
+/// How a sphere tree is built.
 struct TreeSettings {
     Builder builder = Builder::cover;
     int branching = 8;  ///< most children of a node, 2 to 64; the octree has 8 always

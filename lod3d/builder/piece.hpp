@@ -44,6 +44,7 @@ class MeshPiece {
     [[nodiscard]] std::span<const Point> surface_corners() const {
         return std::span(points_).first(surface_end());
     }
+    /// The convex cell that cuts the piece out of the solid.
     [[nodiscard]] const lod::ConvexCell<3>& cell() const { return cell_; }
     /// The box of all vertices. Requires: not empty.
     [[nodiscard]] Box bounds() const;

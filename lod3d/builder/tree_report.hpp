@@ -12,6 +12,7 @@ namespace lod3d {
 using lod::LevelReport;
 using lod::TreeReport;
 
+/// How exactly a tree is measured.
 struct ReportSettings {
     double tolerance = 1e-4;  ///< of the worst protrusion, as a share of the bounding diameter, > 0
     int samples = 20000;      ///< least number of points on a level's spheres, for mean and volume

@@ -41,6 +41,7 @@ class MeshDistance {
     [[nodiscard]] Nearest nearest(const Point& p,
                                   double within = std::numeric_limits<double>::infinity()) const;
 
+    /// Whether the solid holds a point.
     [[nodiscard]] bool inside(const Point& p) const { return is_inside(p, nearest(p)); }
     /// The same, where the nearest point is known.
     [[nodiscard]] bool is_inside(const Point& p, const Nearest& at) const {
@@ -67,6 +68,7 @@ class MeshDistance {
     /// of triangles count as dipoles (Barill et al. 2018), which errs by less than 0.1.
     [[nodiscard]] double winding_number(const Point& p) const;
 
+    /// The triangles that queries walk.
     [[nodiscard]] const TriangleTree& tree() const { return tree_; }
 
   private:

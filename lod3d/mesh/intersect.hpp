@@ -17,6 +17,7 @@ namespace lod3d {
 struct Pose {
     lod::Matrix<3> rotation = lod::Matrix<3>::Identity();
     Point position = Point::Zero();
+    /// A point of the body frame in the world.
     [[nodiscard]] Point carry(const Point& p) const { return rotation * p + position; }
 };
 
@@ -29,6 +30,7 @@ struct Pose {
 /// space, or only corners, edges or faces, to a hair [m]. One that lies wholly within another is
 /// apart from it.
 enum class PartsMeet { apart, touching, crossing };
+/// Of all pairs of parts the worst. Requires: `parts` are those of the mesh.
 [[nodiscard]] PartsMeet parts_meet(const Mesh& mesh, const Parts& parts, double hair);
 
 }  // namespace lod3d

@@ -11,6 +11,7 @@
 
 namespace lod3d {
 
+/// A point of space [m].
 using Point = lod::Vector<3>;
 using Triangle = std::array<std::int32_t, 3>;  ///< indices; anticlockwise seen from outside
 
@@ -19,12 +20,14 @@ struct Mesh {
     std::vector<Point> vertices;
     std::vector<Triangle> triangles;
 
+    /// A corner of a triangle; `which`: 0 to 2.
     [[nodiscard]] const Point& corner(std::size_t triangle, int which) const {
         return vertices[static_cast<std::size_t>(
             triangles[triangle][static_cast<std::size_t>(which)])];
     }
 };
 
+/// A box of space [m].
 using Box = lod::Box<3>;
 
 /// Whether a point's coordinates are finite and within 1e100.
@@ -61,8 +64,10 @@ struct BadEdges {
     int reversed = 0;  ///< two triangles that pass it in the same direction
     int shared = 0;  ///< no fault: four triangles or more that can be matched, of parts that touch
     std::array<std::int32_t, 2> first{};  ///< the vertices of one of them
+    /// Whether the mesh is closed, manifold and oriented.
     [[nodiscard]] bool none() const { return open == 0 && crowded == 0 && reversed == 0; }
 };
+/// Counts them.
 [[nodiscard]] BadEdges find_bad_edges(const Mesh& mesh);
 
 /// Turns triangles until neighbours agree, each connected part by the majority of its own. Returns
@@ -74,6 +79,7 @@ struct Parts {
     std::vector<std::int32_t> of_triangle;
     int count = 0;
 };
+/// Numbers the parts of a mesh.
 [[nodiscard]] Parts find_parts(const Mesh& mesh);
 /// Each part as a mesh of its own, its vertices in the order in which its triangles name them.
 [[nodiscard]] std::vector<Mesh> split(const Mesh& mesh, const Parts& parts);
@@ -84,6 +90,7 @@ struct Integrals {
     Point centroid = Point::Zero();  ///< [m]; zero where there is no volume
     lod::Inertia<3> inertia = lod::Inertia<3>::Zero();  ///< about the centroid [m^5]; times density
 };
+/// Requires: a closed mesh.
 [[nodiscard]] Integrals integrate(const Mesh& mesh);
 
 /// Turns every triangle over.

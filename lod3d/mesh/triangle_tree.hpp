@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// The triangles of a mesh in a tree of boxes, as queries of distance and intersection take them.
+
 #include <cstdint>
 #include <vector>
 
@@ -14,14 +17,17 @@ class TriangleTree {
     static constexpr int most_in_leaf = 4;
     static constexpr int deepest = 96;  ///< a walk's stack never needs more
 
+    /// A box and what is below it.
     struct Node {
         Point low;
         Point high;
         std::int32_t first =
             0;  ///< a leaf's first triangle; else the second child (first: this + 1)
         std::int32_t count = 0;  ///< triangles of a leaf; 0 for an inner node
+        /// Whether triangles lie below it, not boxes.
         [[nodiscard]] bool is_leaf() const { return count > 0; }
     };
+    /// Of one triangle.
     struct Corners {
         Point a;
         Point b;
@@ -31,9 +37,11 @@ class TriangleTree {
     /// Requires: at least one triangle, numbers checked.
     explicit TriangleTree(const Mesh& mesh);
 
+    /// Node 0 is the root.
     [[nodiscard]] const Node& node(std::int32_t i) const {
         return nodes_[static_cast<std::size_t>(i)];
     }
+    /// How many boxes.
     [[nodiscard]] std::int32_t node_count() const {
         return static_cast<std::int32_t>(nodes_.size());
     }

@@ -24,6 +24,7 @@ struct Solid {
     std::vector<std::string> mended;  ///< what was changed in the source, one line each
 };
 
+/// How a mesh becomes a solid.
 struct SolidOptions {
     bool fill = false;        ///< take open and non-manifold meshes, filled by winding number
     int fill_cells = 64;      ///< cubes along the longest side, where something is filled

@@ -7,6 +7,7 @@
 #include "lodlab/io/files/ending.hpp"
 #include "lodlab/lod3d/mesh/mesh_faults.hpp"
 #include "lodlab/lod3d/source/import_scene.hpp"
+#include "lodlab/lod3d/source/mesh_readers.hpp"
 #include "lodlab/lod3d/source/text_words.hpp"
 
 namespace lod3d {

@@ -4,8 +4,9 @@
 /// The triangles of a mesh file: OBJ, PLY, STL, OFF, 3DS, glTF.
 
 #include <filesystem>
+#include <string>
 
-#include "lodlab/lod3d/source/mesh_readers.hpp"
+#include "lodlab/lod3d/source/file_mesh.hpp"
 
 namespace lod3d {
 

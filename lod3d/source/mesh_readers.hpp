@@ -4,23 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "lodlab/lod3d/mesh/mesh.hpp"
-#include "lodlab/lod3d/source/import_limits.hpp"
+#include "lodlab/lod3d/source/file_mesh.hpp"
 
 namespace lod3d {
-
-/// A mesh as its file holds it, in the file's frame.
-struct FileMesh {
-    Mesh mesh;  ///< its vertices are those that triangles use, in that order
-    /// Between coordinates next to each other as its numbers can be, at the largest of them [m];
-    /// of a text: as its digits can be, where they are few for the mesh.
-    double step = 0;
-    std::vector<std::string> remarks;  ///< what was taken otherwise than the file says
-};
-
-/// The step between numbers of so many significant bits at the largest coordinate [m].
-/// Requires: at least one vertex, numbers checked.
-[[nodiscard]] double coordinate_step(const Mesh& mesh, int significant_bits);
 
 // Each reader takes the bytes of a whole file and the name that refusals call it. Coordinates
 // arrive as the nearest doubles. Polygons are cut into triangles; points, lines, normals, colours

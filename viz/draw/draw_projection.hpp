@@ -13,6 +13,7 @@ struct ProjectionPlane {
     lod::Vector<3> along = lod::Vector<3>::UnitX();
     lod::Vector<3> up = lod::Vector<3>::UnitY();
 
+    /// A point of space in the plane.
     [[nodiscard]] lod::Vector<2> operator()(const lod::Vector<3>& p) const {
         return {p.dot(along), p.dot(up)};
     }

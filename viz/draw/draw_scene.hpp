@@ -11,6 +11,7 @@
 
 namespace viz {
 
+/// Marks in the order in which they are drawn.
 using Marks = std::vector<Mark>;
 
 /// An empty panel that shows a view.
@@ -46,6 +47,7 @@ template <int Dim>
 void add_normals(Panel& panel, std::span<const lod::Contact<Dim>> contacts, double length,
                  double opacity = 1);
 
+/// An arrow, its label beside its tip.
 template <int Dim>
 void add_arrow(Panel& panel, const Style& style, const lod::Vector<Dim>& tail,
                const lod::Vector<Dim>& tip, const std::string& label);
@@ -55,6 +57,7 @@ template <int Dim>
 void add_line(Panel& panel, const Style& style, std::span<const lod::Vector<Dim>> points,
               double start_opacity);
 
+/// Whether a spin is said in words.
 enum class SpinWords { left_out, shown };
 
 /// The velocity of a body's centre as an arrow, `metres_per_speed` long for 1 m/s, with its value
@@ -75,6 +78,7 @@ void add_name(Panel& panel, const Actor<Dim>& actor, const std::string& name, in
 /// The names of two bodies, each on the side away from the other; beside the root nodes where those
 /// are drawn.
 enum class Beside { outlines, roots };
+/// Numbers 0 and 1.
 template <int Dim>
 void add_names(Panel& panel, const Actor<Dim>& a, const Actor<Dim>& b,
                Beside beside = Beside::outlines);
@@ -101,6 +105,7 @@ template <int Dim>
 /// The words of a verdict: "not colliding", "possible collision", "true collision".
 [[nodiscard]] const char* verdict_words(lod::Verdict verdict);
 
+/// The same point as figures have it.
 [[nodiscard]] inline Point point_of(const lod::Vector<2>& v) {
     return {v.x(), v.y()};
 }

@@ -29,6 +29,7 @@ struct TestedNodes {
     std::vector<int> a;
     std::vector<int> b;
 };
+/// `fronts` as lod::traverse_levels returns them.
 template <int Dim>
 [[nodiscard]] TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
                                        const std::vector<lod::Front>& fronts, int level);

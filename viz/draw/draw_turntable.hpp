@@ -7,6 +7,7 @@
 
 namespace viz {
 
+/// How the film goes.
 struct Turntable {
     double frames_per_second = 30;
     double seconds_per_level = 3;

@@ -23,6 +23,7 @@ struct Look {
 
 /// The outline of a shape, or the surface of a solid, under its name.
 [[nodiscard]] Look<2> look_of(const lod2d::Shape& shape);
+/// The same of a solid.
 [[nodiscard]] Look<3> look_of(const lod3d::Solid& solid);
 
 /// A body as a picture needs it. Requires: body.tree is there.
@@ -68,13 +69,17 @@ template <int Dim>
 /// Widens a view until it shows a body, a ball, all that the bodies of a run show until an instant.
 template <int Dim>
 void take_in(View<Dim>& view, const Actor<Dim>& actor);
+/// The same of a ball.
 template <int Dim>
 void take_in(View<Dim>& view, const lod::Sphere<Dim>& ball);
+/// The same of a run until an instant.
 template <int Dim>
 void take_in(View<Dim>& view, const Run<Dim>& run, std::size_t until);
 
+/// The box of both.
 [[nodiscard]] Box united(const Box& a, const Box& b);
 [[nodiscard]] Box grown(const Box& box, double share);  ///< by that share of its larger side
+/// Its width or height.
 [[nodiscard]] double longer_side(const Box& box);
 
 /// First instant whose record has an impulse, or -1.
@@ -85,6 +90,7 @@ template <int Dim>
 /// taken across.
 template <int Dim>
 [[nodiscard]] lod::Vector<Dim> way_between(const lod::Body<Dim>& a, const lod::Body<Dim>& b);
+/// The same of a run: how its two bodies approach, or how its first two lie.
 template <int Dim>
 [[nodiscard]] lod::Vector<Dim> way_of(const Run<Dim>& run);
 

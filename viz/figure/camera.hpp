@@ -9,9 +9,11 @@
 
 namespace viz {
 
+/// From lodlab's vectors to a figure's points.
 [[nodiscard]] inline Point3 point3(const lod::Vector<3>& v) {
     return {v.x(), v.y(), v.z()};
 }
+/// And back.
 [[nodiscard]] inline lod::Vector<3> vector3(Point3 p) {
     return {p.x, p.y, p.z};
 }
@@ -22,6 +24,7 @@ struct CameraAxes {
     lod::Vector<3> up;
     lod::Vector<3> forward;
 };
+/// Of a camera. Requires: its target is not in its eye.
 [[nodiscard]] CameraAxes axes_of(const Camera& camera);
 
 /// A camera that looks at `target` from the distance [m], from `azimuth` about y (0: it looks along

@@ -110,15 +110,19 @@ struct Label {
     double clearance = 0;
 };
 
+/// What a mark can be.
 using AnyMark = std::variant<Disc, Dot, Path, Polyline, Arrow, Label>;
 
 /// Any of the marks. Copied and moved out of line: g++ 12 warns falsely where it inlines them.
 struct Mark : AnyMark {
     using AnyMark::AnyMark;
+    /// Copied and moved as any value.
+    /// @{
     Mark(const Mark& other);
     Mark(Mark&& other) noexcept;
     Mark& operator=(const Mark& other);
     Mark& operator=(Mark&& other) noexcept;
+    /// @}
     ~Mark();
 };
 
@@ -153,6 +157,7 @@ struct Surface {
     std::vector<Point3> vertices;
     std::vector<std::array<int, 3>> triangles;
     std::vector<std::array<Point3, 3>> normals;  ///< one a corner: smooth but over sharp edges
+    /// An edge between two triangles, or at the border.
     struct Edge {
         int from = 0;
         int to = 0;
@@ -196,8 +201,10 @@ struct Box {
     Point high;
 };
 
+/// How values are laid along an axis.
 enum class Scale { linear, logarithmic };
 
+/// One axis of a plot.
 struct Axis {
     std::string label;  ///< with the unit: "time [s]"
     Scale scale = Scale::linear;
@@ -205,6 +212,7 @@ struct Axis {
     bool whole_numbers = false;  ///< ticks at whole numbers only (levels, counts)
 };
 
+/// The axes of a plot.
 struct Axes {
     Axis x;
     Axis y;

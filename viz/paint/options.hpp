@@ -8,6 +8,7 @@
 
 namespace viz {
 
+/// For a light page or a dark one.
 enum class Theme { light, dark };
 
 /// Size of the page's shorter side: 540, 720, 1080, 2160 pixels at 16:9. A draft's video also has
@@ -21,6 +22,7 @@ struct Progress {
     double seconds_left = 0;  ///< by the pace so far; negative while that is not known
 };
 
+/// How a picture or video is written.
 struct WriteOptions {
     Theme theme = Theme::light;
     Quality quality = Quality::p720;

@@ -17,8 +17,10 @@ namespace viz {
 /// unwritable folder or a full disk.
 void write_png(const std::filesystem::path& path, const Figure& figure,
                const WriteOptions& options = {});
+/// An SVG of the page.
 void write_svg(const std::filesystem::path& path, const Figure& figure,
                const WriteOptions& options = {});
+/// A PDF of the page.
 void write_pdf(const std::filesystem::path& path, const Figure& figure,
                const WriteOptions& options = {});
 

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// From raw outlines, which may cross themselves, to a clean polygon.
+
 #include <cstdint>
 #include <span>
 #include <string>
@@ -19,6 +22,7 @@ struct Outline {
     FillRule rule = FillRule::nonzero;
 };
 
+/// What cleaning may cost, and which parts are too small to keep.
 struct CleanSettings {
     std::size_t most_points = 1'000'000;  ///< over all outlines
     /// Pairs of edges whose boxes meet, and edges passed by the sweep: what the time depends on.

@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// How curves of a file or a font become a shape, with the settings that all readers share.
+
 #include <string>
 #include <vector>
 

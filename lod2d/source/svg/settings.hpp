@@ -1,5 +1,8 @@
 #pragma once
 
+/// \file
+/// How an SVG drawing is read.
+
 #include <cstddef>
 #include <cstdint>
 

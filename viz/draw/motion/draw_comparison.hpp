@@ -7,6 +7,7 @@
 
 namespace viz {
 
+/// The words of the page.
 struct ComparisonWords {
     std::string title = "The same scene at several levels, and by a reference";
     std::string caption{};
@@ -22,6 +23,7 @@ template <int Dim>
                                 double until, const ComparisonWords& words = {},
                                 const typename Sight<Dim>::Viewpoint& viewpoint = {});
 
+/// How the film goes.
 struct ComparisonMotion {
     ComparisonWords words{};
     double frames_per_second = 30;

@@ -7,6 +7,7 @@
 
 namespace viz {
 
+/// How the film of one collision goes.
 struct ImpactMotion {
     double frames_per_second = 30;
     double seconds = 5;  ///< of video for the motion itself, pauses and the slow impact not counted
@@ -24,6 +25,7 @@ template <int Dim>
                                       const ImpactMotion& choice = {},
                                       const typename Sight<Dim>::Viewpoint& viewpoint = {});
 
+/// How the film of a simulation goes.
 struct SimulationMotion {
     double frames_per_second = 30;
     double speed = 1;    ///< simulated seconds for one second of video, > 0

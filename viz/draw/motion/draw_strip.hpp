@@ -7,6 +7,7 @@
 
 namespace viz {
 
+/// The words of the page.
 struct StripWords {
     std::string title = "The same collision, interrupted at different levels";
     std::string caption{};  ///< empty: what the marks stand for
@@ -39,6 +40,7 @@ struct PastChoice {
     int most_ghosts = 5;  ///< outlines of the past, at equal times; fewer where they would overlap
     double trajectory_opacity = 1;
 };
+/// Draws the ways that bodies came, and their ghosts.
 template <int Dim>
 void add_past(Panel& panel, const Run<Dim>& run, std::size_t until, const PastChoice& choice = {});
 
@@ -51,6 +53,7 @@ void add_impulses(Panel& panel, const Run<Dim>& run, std::size_t instant, double
 /// The largest such impulse of an instant [N s].
 template <int Dim>
 [[nodiscard]] double largest_impulse(const Run<Dim>& run, std::size_t instant);
+/// Of any body at any instant of the run [m/s].
 template <int Dim>
 [[nodiscard]] double largest_speed(const Run<Dim>& run);
 
