@@ -95,9 +95,8 @@ Modelling model_all(std::span<const lod::Body<2>> bodies, lod::ContactModel mode
             const auto b = static_cast<std::size_t>(storage.candidates[p].b);
             if (storage.fronts.pairs(p).empty()) continue;
             storage.front_contacts.model(
-                storage.world_S[a], storage.world_S[b], storage.fronts.pairs(p), model,
-                lod::PointModel::radius_ratio, lod::pair_motion(bodies[a], bodies[b], time_step),
-                storage.front);
+                {storage.world_S[a], storage.world_S[b], storage.fronts.pairs(p)}, {model},
+                lod::pair_motion(bodies[a], bodies[b], time_step), storage.front);
             sum.contacts += static_cast<double>(storage.front.contacts.size());
             sum.pairs += storage.front.contacts.empty() ? 0 : 1;
         }

@@ -121,6 +121,36 @@ Errors errors_of(LevelQuery& query, int level, const std::vector<Meeting>& meeti
     return errors;
 }
 
+/// `seconds`: of the four levels, the triangles, FCL's first hit and all its hits.
+template <class Seconds>
+void print_levels(LevelQuery& query, const std::vector<Meeting>& meetings,
+                  const std::vector<Truth>& truth, const lod::TreeReport& report,
+                  const Seconds& seconds) {
+    const auto pairs = static_cast<double>(meetings.size());
+    const double first_hit = seconds[5];
+    const double all_hits = seconds[6];
+    std::printf(
+        "level | nodes | us a query | FCL, first hit / it | FCL, all hits / it | not apart | of "
+        "these apart | error bound %% | largest gap %%\n");
+    for (std::size_t level = 0; level < 4; ++level) {
+        const Errors errors = errors_of(query, static_cast<int>(level), meetings, truth);
+        const lod::LevelReport& of = report.levels[level];
+        std::printf(
+            "%zu | %d | %.2f | %.1f | %.1f | %d | %.1f %% | %.2f | %.2f%s\n", level, of.nodes,
+            1e6 * seconds[level] / pairs, first_hit / seconds[level], all_hits / seconds[level],
+            errors.met, errors.met > 0 ? 100.0 * errors.wrong / errors.met : 0.0,
+            200 * of.worst_protrusion_fraction, 100 * errors.largest_gap / report.bounding_diameter,
+            errors.missed > 0 ? "  MISSED A COLLISION" : "");
+    }
+    const auto exact_row = [&](const char* name, double of) {
+        std::printf("%s | | %.2f | %.2f | %.2f\n", name, 1e6 * of / pairs, first_hit / of,
+                    all_hits / of);
+    };
+    exact_row("triangles, lod3d, first hit", seconds[4]);
+    exact_row("triangles, FCL, first hit", first_hit);
+    exact_row("triangles, FCL, all hits", all_hits);
+}
+
 }  // namespace
 
 void query_pairs(const lod3d::Solid& solid, int pairs) {
@@ -158,28 +188,7 @@ void query_pairs(const lod3d::Solid& solid, int pairs) {
     };
     const auto seconds = medians(7, by_level(0), by_level(1), by_level(2), by_level(3), exactly,
                                  by_fcl(1), by_fcl(1'000'000));
-    const double first_hit = seconds[5];
-    const double all_hits = seconds[6];
-    std::printf(
-        "level | nodes | us a query | FCL, first hit / it | FCL, all hits / it | not apart | of "
-        "these apart | error bound %% | largest gap %%\n");
-    for (std::size_t level = 0; level < 4; ++level) {
-        const Errors errors = errors_of(query, static_cast<int>(level), meetings, truth);
-        const lod::LevelReport& of = report.levels[level];
-        std::printf(
-            "%zu | %d | %.2f | %.1f | %.1f | %d | %.1f %% | %.2f | %.2f%s\n", level, of.nodes,
-            1e6 * seconds[level] / pairs, first_hit / seconds[level], all_hits / seconds[level],
-            errors.met, errors.met > 0 ? 100.0 * errors.wrong / errors.met : 0.0,
-            200 * of.worst_protrusion_fraction, 100 * errors.largest_gap / report.bounding_diameter,
-            errors.missed > 0 ? "  MISSED A COLLISION" : "");
-    }
-    const auto exact_row = [&](const char* name, double of) {
-        std::printf("%s | | %.2f | %.2f | %.2f\n", name, 1e6 * of / pairs, first_hit / of,
-                    all_hits / of);
-    };
-    exact_row("triangles, lod3d, first hit", seconds[4]);
-    exact_row("triangles, FCL, first hit", first_hit);
-    exact_row("triangles, FCL, all hits", all_hits);
+    print_levels(query, meetings, truth, report, seconds);
     std::printf("(%ld)\n", checksum);  // so that no query is left out
 }
 

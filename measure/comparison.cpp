@@ -41,12 +41,11 @@ class Parts {
 /// Box2D's run, at the first scale that can hold its shapes and the first step that can hold its
 /// speeds.
 lod2d::Box2dRun run_reference(Bodies bodies, Shapes shapes, const ComparisonOptions& options,
-                              lod2d::Box2dSettings& settings,
-                              const std::function<void(double)>& progress) {
+                              lod2d::Box2dSettings& settings) {
     for (;;) {
         try {
             return lod2d::run_box2d(bodies, shapes, options.frames, options.settings.time_step,
-                                    settings, progress);
+                                    settings);
         } catch (const lod::Error& error) {
             const bool too_fine = error.kind() == lod::ErrorKind::input_refused &&
                                   2 * settings.units_per_metre <= most_units_per_metre;
@@ -87,10 +86,17 @@ lod::FrameSettings exactly(lod::FrameSettings settings, int level) {
     return settings;
 }
 
-ComparedRun run_level(Bodies bodies, const lod::FrameSettings& settings,
-                      const ComparisonOptions& options, const PlaneBodies& planar,
-                      const std::vector<Collision<2>>& reference,
+/// What all runs of a comparison share.
+struct Compared {
+    Bodies bodies;
+    const ComparisonOptions& options;
+    const PlaneBodies& planar;
+    const std::vector<Collision<2>>& reference;
+};
+
+ComparedRun run_level(const Compared& scene, const lod::FrameSettings& settings,
                       const std::function<void(double)>& progress) {
+    const auto& [bodies, options, planar, reference] = scene;
     scenes::RunOptions run;
     run.settings = settings;
     run.frames = options.frames;
@@ -149,7 +155,7 @@ void answer(FirstImpact& impact, Bodies bodies, Shapes shapes, const ComparisonO
     for (std::size_t level = 0; level < levels; ++level) {
         const lod::FrameSettings settings = down_to(options.settings, static_cast<int>(level));
         impact.levels.push_back(
-            renamed(framed_collision<2>(a, b, settings, horizon, planar, first_push)));
+            renamed(framed_collision<2>(a, b, settings, planar, {horizon, first_push})));
     }
 }
 
@@ -161,14 +167,15 @@ Comparison compare(Bodies bodies, Shapes shapes, const ComparisonOptions& option
     const PlaneBodies planar(shapes);
     Comparison comparison;
     comparison.box2d_settings = options.box2d;
-    comparison.box2d =
-        run_reference(bodies, shapes, options, comparison.box2d_settings, parts.next());
+    comparison.box2d_settings.progress = parts.next();
+    comparison.box2d = run_reference(bodies, shapes, options, comparison.box2d_settings);
+    comparison.box2d_settings.progress = {};
     comparison.box2d_collisions = collisions_of(comparison.box2d, planar);
+    const Compared scene{bodies, options, planar, comparison.box2d_collisions};
     for (int level = 0; level <= deepest; ++level)
-        comparison.levels.push_back(run_level(bodies, down_to(options.settings, level), options,
-                                              planar, comparison.box2d_collisions, parts.next()));
-    comparison.exact = run_level(bodies, exactly(options.settings, deepest), options, planar,
-                                 comparison.box2d_collisions, parts.next());
+        comparison.levels.push_back(
+            run_level(scene, down_to(options.settings, level), parts.next()));
+    comparison.exact = run_level(scene, exactly(options.settings, deepest), parts.next());
     comparison.first_impacts = pairs_that_meet_first(comparison, planar);
     for (FirstImpact& impact : comparison.first_impacts)
         answer(impact, bodies, shapes, options, comparison.levels.size());

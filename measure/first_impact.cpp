@@ -60,15 +60,15 @@ std::optional<Collision<Dim>> exact_collision(const lod::Body<Dim>& a, const lod
 
 template <int Dim>
 std::optional<Collision<Dim>> framed_collision(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
-                                               const lod::FrameSettings& settings, double horizon,
-                                               const BodyShapes<Dim>& shapes, double pause) {
+                                               const lod::FrameSettings& settings,
+                                               const BodyShapes<Dim>& shapes, const Watch& watch) {
     std::vector<lod::Body<Dim>> bodies{a, b};
     lod::FrameStorage<Dim> storage;
-    CollisionLog<Dim> log(shapes, pause);
-    for (int frame = 0; frame * settings.time_step <= horizon; ++frame) {
+    CollisionLog<Dim> log(shapes, watch.pause);
+    for (int frame = 0; frame * settings.time_step <= watch.horizon; ++frame) {
         lod::check_interrupted();
         const double time = frame * settings.time_step;
-        if (!log.collisions().empty() && time - log.collisions()[0].until > pause) break;
+        if (!log.collisions().empty() && time - log.collisions()[0].until > watch.pause) break;
         const std::vector<lod::Body<Dim>> before = bodies;
         lod::Budget budget = lod::Budget::unlimited();
         const auto& record = lod::advance<Dim>(bodies, settings, budget, storage);
@@ -87,8 +87,8 @@ std::optional<Collision<Dim>> framed_collision(const lod::Body<Dim>& a, const lo
     template std::optional<Collision<Dim>> exact_collision(                               \
         const lod::Body<Dim>&, const lod::Body<Dim>&, lod::Response, double);             \
     template std::optional<Collision<Dim>> framed_collision(                              \
-        const lod::Body<Dim>&, const lod::Body<Dim>&, const lod::FrameSettings&, double,  \
-        const BodyShapes<Dim>&, double);
+        const lod::Body<Dim>&, const lod::Body<Dim>&, const lod::FrameSettings&,          \
+        const BodyShapes<Dim>&, const Watch&);
 MEASURE_INSTANTIATE(2)
 MEASURE_INSTANTIATE(3)
 #undef MEASURE_INSTANTIATE

@@ -39,11 +39,20 @@ template <int Dim>
                                                             const lod::Body<Dim>& b,
                                                             lod::Response response, double horizon);
 
-/// The same by frames under some settings, with all that detection costs. Pushes within `pause` are
-/// one collision. `shapes` of the two bodies, as 0 and 1.
+/// How long frames are watched for a collision.
+struct Watch {
+    double horizon = 0;  ///< from the start [s]
+    double pause =
+        one_collision;  ///< pushes that follow each other within it are one collision [s]
+};
+
+/// The same by frames under some settings, with all that detection costs. `shapes` of the two
+/// bodies, as 0 and 1.
 template <int Dim>
-[[nodiscard]] std::optional<Collision<Dim>> framed_collision(
-    const lod::Body<Dim>& a, const lod::Body<Dim>& b, const lod::FrameSettings& settings,
-    double horizon, const BodyShapes<Dim>& shapes, double pause = one_collision);
+[[nodiscard]] std::optional<Collision<Dim>> framed_collision(const lod::Body<Dim>& a,
+                                                             const lod::Body<Dim>& b,
+                                                             const lod::FrameSettings& settings,
+                                                             const BodyShapes<Dim>& shapes,
+                                                             const Watch& watch);
 
 }  // namespace measure

@@ -23,21 +23,36 @@ struct Shown {
     double spin = 0;
 };
 
+/// A body before and after a collision.
 template <int Dim>
-Shown shown_by(const lod::Body<Dim>& before_reference, const lod::Body<Dim>& after_reference,
-               const lod::Body<Dim>& before_seen, const lod::Body<Dim>& after_seen, double size,
-               double pace, double still) {
-    const lod::Vector<Dim>& reference = after_reference.velocity;
-    const lod::Vector<Dim>& seen = after_seen.velocity;
+struct Course {
+    const lod::Body<Dim>& before;
+    const lod::Body<Dim>& after;
+};
+
+/// By what a body's motion is measured.
+struct Measures {
+    double size = 0;
+    double pace = 0;
+    double still = 0;
+};
+
+template <int Dim>
+Shown shown_by(const Course<Dim>& in_reference, const Course<Dim>& in_seen,
+               const Measures& measures) {
+    const auto [size, pace, still] = measures;
+    const lod::Vector<Dim>& reference = in_reference.after.velocity;
+    const lod::Vector<Dim>& seen = in_seen.after.velocity;
     Shown shown;
     shown.speed = (seen.norm() - reference.norm()) / pace;
-    shown.spin = (after_seen.spin - after_reference.spin).norm() * size / 2 / pace;
-    if (std::min(seen.norm(), reference.norm()) < still * pace) return shown;
+    shown.spin = (in_seen.after.spin - in_reference.after.spin).norm() * size / 2 / pace;
+    const double slowest = still * pace;
+    if (std::min(seen.norm(), reference.norm()) < slowest) return shown;
     shown.angle = angle_between<Dim>(seen, reference);
     const auto deflection = [&](const lod::Body<Dim>& from, const lod::Vector<Dim>& to) {
-        return from.velocity.norm() < still * pace ? 0 : angle_between<Dim>(from.velocity, to);
+        return from.velocity.norm() < slowest ? 0 : angle_between<Dim>(from.velocity, to);
     };
-    if (deflection(before_seen, seen) < deflection(before_reference, reference))
+    if (deflection(in_seen.before, seen) < deflection(in_reference.before, reference))
         shown.angle = -shown.angle;
     return shown;
 }
@@ -99,8 +114,9 @@ Perceived perceived(const Collision<Dim>& reference, const Collision<Dim>& seen,
     if (!(pace > 0)) return error;
     for (std::size_t i = 0; i < 2; ++i) {
         if (reference.before[i].is_static()) continue;
-        const Shown shown = shown_by<Dim>(reference.before[i], reference.after[i], seen.before[i],
-                                          seen.after[i], sizes[i], pace, settings.still);
+        const Shown shown =
+            shown_by<Dim>({reference.before[i], reference.after[i]},
+                          {seen.before[i], seen.after[i]}, {sizes[i], pace, settings.still});
         const auto strictest = [](double& kept, double value, double above, double below) {
             if (two_sided(value, above, below) > two_sided(kept, above, below)) kept = value;
         };

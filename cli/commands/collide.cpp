@@ -114,7 +114,7 @@ viz::Figure figure_of(const scenes::Setup<Dim>& setup, const Instant<Dim>& insta
     if (is_projected) return projected(a, b, instant.record, *busiest);
     const bool proved_apart =
         busiest->verdict == lod::Verdict::apart && !fronts.back().pairs.empty();
-    return viz::traversal<Dim>(a, b, fronts, {}, viewpoint_of<Dim>(setup.scene), proved_apart);
+    return viz::traversal<Dim>(a, b, fronts, {{}, proved_apart}, viewpoint_of<Dim>(setup.scene));
 }
 
 template <int Dim>

@@ -100,8 +100,8 @@ Drawing contacts_of_a_face(const Options& options) {
     drawing.figure = [setup] {
         viz::Figure figure = viz::contacts_by_level<Dim>(
             actor_of<Dim>(setup, setup.bodies, 0), actor_of<Dim>(setup, setup.bodies, 1),
-            lod::traverse_levels(setup.bodies[0], setup.bodies[1]), lod::PointModel::radius_ratio,
-            {0, 1, 2, 3}, viewpoint_of<Dim>(setup.scene));
+            lod::traverse_levels(setup.bodies[0], setup.bodies[1]), {.levels = {0, 1, 2, 3}},
+            viewpoint_of<Dim>(setup.scene));
         figure.columns = 2;
         return figure;
     };

@@ -39,15 +39,15 @@ struct TreeReport {
 /// What a union of balls is, as the plane and space measure it.
 struct UnionMeasures {
     double mean_protrusion = 0;  ///< over its border [m]
-    double measure = 0;          ///< area or volume
+    double measure_ratio = 0;    ///< of its area or volume to the shape's
 };
 
-/// Measures every level of a tree against the shape: its whole as a piece, distances from it, its
-/// area or volume, and measure_union(balls) -> UnionMeasures. `tolerance` is a share of the
+/// Measures every level of a tree against the shape: its whole as a piece, distances from it, and
+/// measure_union(balls) -> UnionMeasures. `tolerance` is a share of the
 /// bounding diameter. Requires at least one node and finite numbers.
 template <int Dim, PieceOf<Dim> Piece, DistanceFrom<Dim> Distance, typename MeasureUnion>
 [[nodiscard]] TreeReport report_levels(const SphereTree<Dim>& tree, const Piece& whole,
-                                       const Distance& distance, double measure, double tolerance,
+                                       const Distance& distance, double tolerance,
                                        const MeasureUnion& measure_union) {
     const auto certificates = certify<Dim>(tree, whole);
     const auto hulls = certify_hulls<Dim>(tree, whole);
@@ -68,7 +68,7 @@ template <int Dim, PieceOf<Dim> Piece, DistanceFrom<Dim> Distance, typename Meas
         entry.mean_protrusion = of_union.mean_protrusion;
         entry.worst_protrusion_fraction = entry.worst_protrusion / report.bounding_diameter;
         entry.mean_protrusion_fraction = entry.mean_protrusion / report.bounding_diameter;
-        entry.measure_ratio = of_union.measure / measure;
+        entry.measure_ratio = of_union.measure_ratio;
         entry.uncovered = certificates[static_cast<std::size_t>(level)].uncovered;
         entry.certified = certificates[static_cast<std::size_t>(level)].certified;
         entry.hulls_certified = hulls[static_cast<std::size_t>(level)] != 0;

@@ -50,6 +50,12 @@ enum class ContactModel {
 }
 static_assert(names_of(ContactModel{}).size() == static_cast<std::size_t>(ContactModel::hull) + 1);
 
+/// How contacts are modelled.
+struct ContactChoice {
+    ContactModel contact_model = ContactModel::hull;
+    PointModel point_model = PointModel::radius_ratio;
+};
+
 /// Models the contact of two balls (paper, eqs. 4 and 5). Balls of different levels may meet.
 /// Returns nothing when they are apart.
 ///

@@ -9,15 +9,10 @@
 namespace lod {
 namespace {
 
-/// The contact of two nodes, each with the mean normal of its side of their patch.
+/// A node with the mean normal of its side of a patch.
 template <int Dim, class Side>
-std::optional<Contact<Dim>> patch_contact(const Sphere<Dim>& a, const Side& side_a,
-                                          const Sphere<Dim>& b, const Side& side_b,
-                                          PointModel point_model, const Vector<Dim>& fallback) {
-    const auto mean = [](const Side& side) -> Vector<Dim> {
-        return side.nodes > 0 ? Vector<Dim>(side.normal / side.nodes) : side.normal;
-    };
-    return model_surface_contact<Dim>({a, mean(side_a)}, {b, mean(side_b)}, point_model, fallback);
+SurfaceNode<Dim> node_of(const Sphere<Dim>& ball, const Side& side) {
+    return {ball, side.nodes > 0 ? Vector<Dim>(side.normal / side.nodes) : side.normal};
 }
 
 /// The contact of a node's ball and a half-space.
@@ -68,8 +63,10 @@ void FrontContacts<Dim>::join(std::vector<std::int32_t>& first_pair, std::int32_
 }
 
 template <int Dim>
-void FrontContacts<Dim>::find_patches(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                                      std::span<const NodePair> pairs) {
+void FrontContacts<Dim>::find_patches(const PosedFront<Dim>& front) {
+    const PosedTree<Dim>& a = front.a;
+    const PosedTree<Dim>& b = front.b;
+    const std::span<const NodePair> pairs = front.pairs;
     const auto count = static_cast<std::int32_t>(pairs.size());
     if (first_a_.size() < at(a.tree().size())) first_a_.resize(at(a.tree().size()), -1);
     if (first_b_.size() < at(b.tree().size())) first_b_.resize(at(b.tree().size()), -1);
@@ -112,9 +109,11 @@ std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedTree<Dim>
 
 /// Every pair of nodes whose hulls meet is a patch.
 template <int Dim>
-void FrontContacts<Dim>::model_hulls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                                     std::span<const NodePair> pairs, const PairMotion<Dim>& motion,
+void FrontContacts<Dim>::model_hulls(const PosedFront<Dim>& front, const PairMotion<Dim>& motion,
                                      FrontModel<Dim>& found) {
+    const PosedTree<Dim>& a = front.a;
+    const PosedTree<Dim>& b = front.b;
+    const std::span<const NodePair> pairs = front.pairs;
     const NodeHulls<Dim>& hulls_a = a.tree().hulls;
     const NodeHulls<Dim>& hulls_b = b.tree().hulls;
     spoken_.clear();
@@ -160,24 +159,26 @@ void FrontContacts<Dim>::keep_deepest() {
 }
 
 template <int Dim>
-void FrontContacts<Dim>::model_balls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                                     std::span<const NodePair> pairs, ContactModel contact_model,
-                                     PointModel point_model, const Vector<Dim>& fallback,
-                                     FrontModel<Dim>& found) {
+void FrontContacts<Dim>::model_balls(const PosedFront<Dim>& front, const ContactChoice& choice,
+                                     const Vector<Dim>& fallback, FrontModel<Dim>& found) {
+    const PosedTree<Dim>& a = front.a;
+    const PosedTree<Dim>& b = front.b;
+    const std::span<const NodePair> pairs = front.pairs;
     const bool by_border = a.is_half_space() || b.is_half_space();
-    const bool by_surface = contact_model != ContactModel::centre_line && !by_border;
-    if (by_surface) find_patches(a, b, pairs);
+    const bool by_surface = choice.contact_model != ContactModel::centre_line && !by_border;
+    if (by_surface) find_patches(front);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         const Sphere<Dim> ball_a = a.sphere(pairs[i].a);
         const Sphere<Dim> ball_b = b.sphere(pairs[i].b);
         std::optional<Contact<Dim>> contact;
         if (by_border) {
-            contact = border_contact(a, b, pairs[i], point_model);
+            contact = border_contact(a, b, pairs[i], choice.point_model);
         } else if (by_surface) {
             const Patch& patch = patches_[at(patch_of(static_cast<std::int32_t>(i)))];
-            contact = patch_contact<Dim>(ball_a, patch.a, ball_b, patch.b, point_model, fallback);
+            contact = model_surface_contact<Dim>(node_of(ball_a, patch.a), node_of(ball_b, patch.b),
+                                                 choice.point_model, fallback);
         } else {
-            contact = model_contact<Dim>(ball_a, ball_b, point_model, fallback);
+            contact = model_contact<Dim>(ball_a, ball_b, choice.point_model, fallback);
         }
         if (!contact) continue;
         const Range nodes{static_cast<std::int32_t>(found.node_pairs.size()), 1};
@@ -187,23 +188,21 @@ void FrontContacts<Dim>::model_balls(const PosedTree<Dim>& a, const PosedTree<Di
 }
 
 template <int Dim>
-void FrontContacts<Dim>::model(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                               std::span<const NodePair> pairs, ContactModel contact_model,
-                               PointModel point_model, const PairMotion<Dim>& motion,
-                               FrontModel<Dim>& found) {
+void FrontContacts<Dim>::model(const PosedFront<Dim>& front, const ContactChoice& choice,
+                               const PairMotion<Dim>& motion, FrontModel<Dim>& found) {
     found.node_pairs.clear();
     found.contacts.clear();
-    if (contact_model == ContactModel::hull && a.tree().has_hulls() && b.tree().has_hulls())
-        model_hulls(a, b, pairs, motion, found);
+    if (choice.contact_model == ContactModel::hull && front.a.tree().has_hulls() &&
+        front.b.tree().has_hulls())
+        model_hulls(front, motion, found);
     else
-        model_balls(a, b, pairs, contact_model, point_model, motion.centre_b - motion.centre_a,
-                    found);
+        model_balls(front, choice, motion.centre_b - motion.centre_a, found);
 }
 
 template <int Dim>
 std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>& a, const Body<Dim>& b,
-                                            const Front& front, ContactModel contact_model,
-                                            PointModel point_model, double time_step) {
+                                            const Front& front, const ContactChoice& choice,
+                                            double time_step) {
     PosedTree<Dim> world_a;
     PosedTree<Dim> world_b;
     world_a.pose(a);
@@ -218,7 +217,7 @@ std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>& a, const Body<Dim>&
         carry(b, nodes.b, world_b);
     }
     FrontModel<Dim> found;
-    FrontContacts<Dim>().model(world_a, world_b, front.pairs, contact_model, point_model,
+    FrontContacts<Dim>().model({world_a, world_b, front.pairs}, choice,
                                pair_motion(a, b, time_step), found);
     std::vector<Contact<Dim>> contacts;
     for (const PatchContact<Dim>& entry : found.contacts) contacts.push_back(entry.contact);
@@ -228,7 +227,7 @@ std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>& a, const Body<Dim>&
 #define LOD_INSTANTIATE(Dim)                              \
     template class FrontContacts<Dim>;                    \
     template std::vector<Contact<Dim>> contacts_of_front( \
-        const Body<Dim>&, const Body<Dim>&, const Front&, ContactModel, PointModel, double);
+        const Body<Dim>&, const Body<Dim>&, const Front&, const ContactChoice&, double);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

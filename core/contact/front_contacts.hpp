@@ -29,6 +29,14 @@ struct FrontModel {
     std::vector<PatchContact<Dim>> contacts;
 };
 
+/// A front and the trees that its nodes are of, as they stand.
+template <int Dim>
+struct PosedFront {
+    const PosedTree<Dim>& a;
+    const PosedTree<Dim>& b;
+    std::span<const NodePair> pairs;
+};
+
 /// Models the contacts of a front.
 ///
 /// A *patch* is a place where the bodies touch. With ContactModel::hull it is two nodes whose hulls
@@ -52,9 +60,8 @@ class FrontContacts {
   public:
     /// Replaces `found`. Requires: the nodes of all pairs were carried, `motion` has its origin in
     /// A's centre of mass.
-    void model(const PosedTree<Dim>& a, const PosedTree<Dim>& b, std::span<const NodePair> pairs,
-               ContactModel contact_model, PointModel point_model, const PairMotion<Dim>& motion,
-               FrontModel<Dim>& found);
+    void model(const PosedFront<Dim>& front, const ContactChoice& choice,
+               const PairMotion<Dim>& motion, FrontModel<Dim>& found);
 
   private:
     /// One body's side of a patch.
@@ -76,19 +83,16 @@ class FrontContacts {
         Range nodes;
     };
 
-    void model_hulls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                     std::span<const NodePair> pairs, const PairMotion<Dim>& motion,
+    void model_hulls(const PosedFront<Dim>& front, const PairMotion<Dim>& motion,
                      FrontModel<Dim>& found);
     [[nodiscard]] std::optional<Manifold<Dim>> meet_nodes(const PosedTree<Dim>& a,
                                                           const PosedTree<Dim>& b,
                                                           const NodePair& nodes,
                                                           const PairMotion<Dim>& motion);
     void keep_deepest();
-    void model_balls(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                     std::span<const NodePair> pairs, ContactModel contact_model,
-                     PointModel point_model, const Vector<Dim>& fallback, FrontModel<Dim>& found);
-    void find_patches(const PosedTree<Dim>& a, const PosedTree<Dim>& b,
-                      std::span<const NodePair> pairs);
+    void model_balls(const PosedFront<Dim>& front, const ContactChoice& choice,
+                     const Vector<Dim>& fallback, FrontModel<Dim>& found);
+    void find_patches(const PosedFront<Dim>& front);
     [[nodiscard]] std::int32_t patch_of(std::int32_t pair);
     void join(std::vector<std::int32_t>& first_pair, std::int32_t node, std::int32_t pair);
 
@@ -105,9 +109,10 @@ class FrontContacts {
 /// The contacts of two bodies' front, for pictures, lessons and oracles. `time_step` is the frame's
 /// (see meet); 0: as the bodies stand, wherever they come from.
 template <int Dim>
-[[nodiscard]] std::vector<Contact<Dim>> contacts_of_front(
-    const Body<Dim>& a, const Body<Dim>& b, const Front& front, ContactModel contact_model,
-    PointModel point_model = PointModel::radius_ratio, double time_step = 0);
+[[nodiscard]] std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>& a, const Body<Dim>& b,
+                                                          const Front& front,
+                                                          const ContactChoice& choice,
+                                                          double time_step = 0);
 
 extern template class FrontContacts<2>;
 extern template class FrontContacts<3>;

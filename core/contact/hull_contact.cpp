@@ -103,10 +103,18 @@ void consider(Axis<Dim> axis, double depth, double speed, double time_step, Axes
     if (axis.before(axes.recent)) axes.recent = axis;
 }
 
+/// A hull whose faces are looked at, and the one that they may separate it from.
+template <int Dim>
+struct Faces {
+    const PosedHull<Dim>& own;
+    const PosedHull<Dim>& other;
+    bool of_b = false;
+};
+
 /// Looks at the faces of one hull. Returns false where one of them separates.
 template <int Dim>
-bool look(const PosedHull<Dim>& own, const PosedHull<Dim>& other, bool of_b,
-          const PairMotion<Dim>& motion, double slack, Axes<Dim>& axes) {
+bool look(const Faces<Dim>& faces, const PairMotion<Dim>& motion, double slack, Axes<Dim>& axes) {
+    const auto& [own, other, of_b] = faces;
     if (other.body.corners.empty()) return true;  // a half-space has no end along any face
     for (std::size_t face = 0; face < own.body.normals.size(); ++face) {
         const Vector<Dim>& normal = own.normals[face];
@@ -312,7 +320,8 @@ template <int Dim>
 std::optional<Manifold<Dim>> meet(const PosedHull<Dim>& a, const PosedHull<Dim>& b,
                                   const PairMotion<Dim>& motion, double slack) {
     Axes<Dim> axes;
-    if (!look(a, b, false, motion, slack, axes) || !look(b, a, true, motion, slack, axes))
+    if (!look<Dim>({a, b, false}, motion, slack, axes) ||
+        !look<Dim>({b, a, true}, motion, slack, axes))
         return std::nullopt;
     if constexpr (Space<Dim>::facets_close)
         if (!look_at_edges(a, b, motion, slack, axes)) return std::nullopt;

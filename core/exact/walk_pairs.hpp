@@ -124,13 +124,18 @@ class PairWalk {
     Matrix<Dim> size_ = place_.rotation.cwiseAbs() + Matrix<Dim>::Constant(1e-15);
 };
 
-/// Throws Error (input refused) where b is no Boundary; `kind` says what a Boundary is.
-template <int Dim, class Boundary, class Nearest>
-void walk_pairs(const Boundary& a, const ExactShape<Dim>& b, const Placement<Dim>& b_in_a,
-                const std::string& kind, const Nearest& nearest, PartVisitor<Dim>& visitor) {
-    const auto* other = dynamic_cast<const Boundary*>(&b);
+/// Throws Error (input refused) where a shape is no Boundary; `kind` says what a Boundary is.
+template <class Boundary, int Dim>
+[[nodiscard]] const Boundary& of_kind(const ExactShape<Dim>& shape, const std::string& kind) {
+    const auto* other = dynamic_cast<const Boundary*>(&shape);
     if (!other) refuse_input(kind, "it meets its own kind only; give both bodies one");
-    PairWalk<Dim, Boundary, Nearest>(a, *other, b_in_a, nearest).run(visitor);
+    return *other;
+}
+
+template <int Dim, class Boundary, class Nearest>
+void walk_pairs(const Boundary& a, const Boundary& b, const Placement<Dim>& b_in_a,
+                const Nearest& nearest, PartVisitor<Dim>& visitor) {
+    PairWalk<Dim, Boundary, Nearest>(a, b, b_in_a, nearest).run(visitor);
 }
 
 }  // namespace lod

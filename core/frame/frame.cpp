@@ -20,8 +20,8 @@ void model_front(std::span<const Body<Dim>> bodies, const FrameSettings& setting
     const auto at_a = static_cast<std::size_t>(a);
     const auto at_b = static_cast<std::size_t>(b);
     storage.front_contacts.model(
-        storage.world_S[at_a], storage.world_S[at_b], storage.fronts.pairs(p),
-        settings.contact_model, settings.point_model,
+        {storage.world_S[at_a], storage.world_S[at_b], storage.fronts.pairs(p)},
+        {settings.contact_model, settings.point_model},
         pair_motion(bodies[at_a], bodies[at_b], settings.time_step), storage.front);
     FrameRecord<Dim>& record = storage.record;
     PairRecord& result = record.pairs[p];
@@ -121,9 +121,11 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
     prioritise<Dim>(order_matters ? settings.priority : Priority::in_order, bodies,
                     storage.candidates, storage.order, storage.closing_speed);
     const std::uint64_t spent_before = budget.spent();
-    refine_all<Dim>(storage.candidates, storage.order,
-                    {settings.deepest_level, settings.contact_model == ContactModel::hull},
-                    storage.world_S, budget, storage.fronts);
+    refine_all<Dim>({storage.candidates,
+                     storage.order,
+                     {settings.deepest_level, settings.contact_model == ContactModel::hull},
+                     storage.world_S},
+                    budget, storage.fronts);
     storage.true_shapes.clear();
     if (!budget.ended())
         storage.true_shapes.refine(

@@ -45,11 +45,9 @@ namespace {
 
 /// Refines the fronts of a frame.
 template <int Dim>
-struct Refiner {
-    std::span<const CandidatePair> pairs;
-    std::span<const std::int32_t> order;
-    const Levels& levels;
-    std::span<PosedTree<Dim>> world_S;
+struct Refiner : RefineTask<Dim> {
+    using RefineTask<Dim>::pairs, RefineTask<Dim>::order, RefineTask<Dim>::levels,
+        RefineTask<Dim>::world_S;
     Budget& budget;
     Fronts& fronts;
     std::uint64_t node_pairs = 0;  ///< of all fronts
@@ -97,17 +95,16 @@ struct Refiner {
 }  // namespace
 
 template <int Dim>
-void refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
-                const Levels& levels, std::span<PosedTree<Dim>> world_S, Budget& budget,
-                Fronts& fronts) {
-    fronts.of_pair.resize(pairs.size());
+void refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts) {
+    fronts.of_pair.resize(task.pairs.size());
     fronts.list.clear();
-    Refiner<Dim> refiner{pairs, order, levels, world_S, budget, fronts};
+    Refiner<Dim> refiner{task, budget, fronts};
     // Without a limit each pair goes down to its end at once: the order changes nothing then.
     const bool at_once = budget.is_unlimited();
-    for (std::size_t i = 0; i < pairs.size(); ++i) refiner.enter(i, at_once ? levels.deepest : 0);
+    const int deepest = task.levels.deepest;
+    for (std::size_t i = 0; i < task.pairs.size(); ++i) refiner.enter(i, at_once ? deepest : 0);
     if (at_once) return;
-    for (int level = 1; level <= levels.deepest; ++level)
+    for (int level = 1; level <= deepest; ++level)
         if (!refiner.finish_level(level)) break;
 }
 
@@ -115,8 +112,7 @@ void refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32
     template void prioritise(Priority, std::span<const Body<Dim>>, std::span<const CandidatePair>, \
                              std::vector<std::int32_t>&, std::vector<double>&);                    \
     template int entry_level(const PosedTree<Dim>&, const PosedTree<Dim>&, bool);                  \
-    template void refine_all(std::span<const CandidatePair>, std::span<const std::int32_t>,        \
-                             const Levels&, std::span<PosedTree<Dim>>, Budget&, Fronts&);
+    template void refine_all(const RefineTask<Dim>&, Budget&, Fronts&);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

@@ -39,6 +39,15 @@ struct Levels {
     bool begin_at_entry = false;  ///< hulls tell of contacts: see refine_all
 };
 
+/// What a frame refines.
+template <int Dim>
+struct RefineTask {
+    std::span<const CandidatePair> pairs;
+    std::span<const std::int32_t> order;  ///< of priority: indices into `pairs`
+    Levels levels;
+    std::span<PosedTree<Dim>> world_S;  ///< of all bodies
+};
+
 /// The first level that says something of a pair: 0, or where contacts come from hulls the deeper
 /// of the two bodies' entry levels (NodeHulls::entry_level).
 template <int Dim>
@@ -62,8 +71,6 @@ struct Fronts {
 /// together never cost more than the quota. Where the budget cuts something short, Budget::cut says
 /// where.
 template <int Dim>
-void refine_all(std::span<const CandidatePair> pairs, std::span<const std::int32_t> order,
-                const Levels& levels, std::span<PosedTree<Dim>> world_S, Budget& budget,
-                Fronts& fronts);
+void refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts);
 
 }  // namespace lod

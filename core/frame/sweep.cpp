@@ -206,8 +206,9 @@ bool Sweeper<Dim>::approach_at(Meeting& pair, double time, double step) {
     Budget enough = Budget::unlimited();
     while (front.level < deepest && !front.finest && front.pairs.count > 0)
         if (refine(posed_a_, posed_b_, enough, front, list_) == Refinement::interrupted) break;
-    front_contacts_.model(posed_a_, posed_b_, list_.pairs_of(front), model_.contact_model,
-                          model_.point_model, pair_motion(pair.body_a, pair.body_b, step), front_);
+    front_contacts_.model({posed_a_, posed_b_, list_.pairs_of(front)},
+                          {model_.contact_model, model_.point_model},
+                          pair_motion(pair.body_a, pair.body_b, step), front_);
     const double settled =
         1e-9 * (fastest_point(pair.body_a) + fastest_point(pair.body_b));  // rounding of an answer
     return std::any_of(

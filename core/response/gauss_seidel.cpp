@@ -6,11 +6,9 @@
 namespace lod {
 
 template <int Dim>
-int solve_by_gauss_seidel(std::span<const std::int32_t> contacts,
-                          std::span<const Impact<Dim>> impacts,
-                          std::span<const Inertia<Dim>> world_inverse_inertia,
-                          std::span<const double> target, double tolerance,
-                          std::span<Body<Dim>> bodies, std::span<double> lambda) {
+int solve_by_gauss_seidel(const NewtonImpacts<Dim>& task, std::span<Body<Dim>> bodies,
+                          std::span<double> lambda) {
+    const auto& [contacts, impacts, inverse_inertia, target, tolerance] = task;
     for (std::int32_t contact : contacts) lambda[static_cast<std::size_t>(contact)] = 0;
     for (int sweep = 1; sweep <= most_gauss_seidel_sweeps; ++sweep) {
         double most_change = 0;
@@ -19,15 +17,15 @@ int solve_by_gauss_seidel(std::span<const std::int32_t> contacts,
             const auto a = static_cast<std::size_t>(impacts[i].a);
             const auto b = static_cast<std::size_t>(impacts[i].b);
             const Contact<Dim>& touch = impacts[i].contact;
-            const double K = inverse_effective_mass(bodies[a], world_inverse_inertia[a], bodies[b],
-                                                    world_inverse_inertia[b], touch);
+            const double K = inverse_effective_mass(bodies[a], inverse_inertia[a], bodies[b],
+                                                    inverse_inertia[b], touch);
             if (K == 0) continue;
             const double u = closing_velocity(bodies[a], bodies[b], touch);
             const double wanted = std::max(0.0, lambda[i] + (target[i] - u) / K);
             const double change = wanted - lambda[i];
             lambda[i] = wanted;
-            apply_impulse(bodies[a], world_inverse_inertia[a], bodies[b], world_inverse_inertia[b],
-                          touch, change);
+            apply_impulse<Dim>({bodies[a], inverse_inertia[a]}, {bodies[b], inverse_inertia[b]},
+                               touch, change);
             most_change = std::max(most_change, std::abs(change) * K);
         }
         if (most_change <= tolerance) return sweep;
@@ -35,11 +33,9 @@ int solve_by_gauss_seidel(std::span<const std::int32_t> contacts,
     return most_gauss_seidel_sweeps;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                   \
-    template int solve_by_gauss_seidel(std::span<const std::int32_t>,                          \
-                                       std::span<const Impact<Dim>>,                           \
-                                       std::span<const Inertia<Dim>>, std::span<const double>, \
-                                       double, std::span<Body<Dim>>, std::span<double>);
+#define LOD_INSTANTIATE(Dim)                                                            \
+    template int solve_by_gauss_seidel(const NewtonImpacts<Dim>&, std::span<Body<Dim>>, \
+                                       std::span<double>);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

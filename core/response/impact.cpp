@@ -60,28 +60,28 @@ double single_impulse(const Body<Dim>& a, const Body<Dim>& b, const Contact<Dim>
 
 template <int Dim>
 void apply_impulse(Body<Dim>& a, Body<Dim>& b, const Contact<Dim>& contact, double j) {
-    apply_impulse<Dim>(a, world_inverse_inertia(a), b, world_inverse_inertia(b), contact, j);
+    apply_impulse<Dim>({a, world_inverse_inertia(a)}, {b, world_inverse_inertia(b)}, contact, j);
 }
 
 template <int Dim>
-void apply_impulse(Body<Dim>& a, const Inertia<Dim>& inverse_a, Body<Dim>& b,
-                   const Inertia<Dim>& inverse_b, const Contact<Dim>& contact, double j) {
+void apply_impulse(const PushedBody<Dim>& a, const PushedBody<Dim>& b, const Contact<Dim>& contact,
+                   double j) {
     const Vector<Dim> impulse = j * contact.normal;
-    push<Dim>(a, inverse_a, contact.point - a.position, -impulse);
-    push<Dim>(b, inverse_b, contact.point - b.position, impulse);
+    push<Dim>(a.body, a.inverse_inertia, contact.point - a.body.position, -impulse);
+    push<Dim>(b.body, b.inverse_inertia, contact.point - b.body.position, impulse);
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                      \
-    template double closing_velocity(const Body<Dim>&, const Body<Dim>&, const Contact<Dim>&);    \
-    template double pair_restitution(const Body<Dim>&, const Body<Dim>&);                         \
-    template double inverse_effective_mass(const Body<Dim>&, const Body<Dim>&,                    \
-                                           const Contact<Dim>&);                                  \
-    template double inverse_effective_mass(const Body<Dim>&, const Inertia<Dim>&,                 \
-                                           const Body<Dim>&, const Inertia<Dim>&,                 \
-                                           const Contact<Dim>&);                                  \
-    template double single_impulse(const Body<Dim>&, const Body<Dim>&, const Contact<Dim>&);      \
-    template void apply_impulse(Body<Dim>&, Body<Dim>&, const Contact<Dim>&, double);             \
-    template void apply_impulse(Body<Dim>&, const Inertia<Dim>&, Body<Dim>&, const Inertia<Dim>&, \
+#define LOD_INSTANTIATE(Dim)                                                                   \
+    template double closing_velocity(const Body<Dim>&, const Body<Dim>&, const Contact<Dim>&); \
+    template double pair_restitution(const Body<Dim>&, const Body<Dim>&);                      \
+    template double inverse_effective_mass(const Body<Dim>&, const Body<Dim>&,                 \
+                                           const Contact<Dim>&);                               \
+    template double inverse_effective_mass(const Body<Dim>&, const Inertia<Dim>&,              \
+                                           const Body<Dim>&, const Inertia<Dim>&,              \
+                                           const Contact<Dim>&);                               \
+    template double single_impulse(const Body<Dim>&, const Body<Dim>&, const Contact<Dim>&);   \
+    template void apply_impulse(Body<Dim>&, Body<Dim>&, const Contact<Dim>&, double);          \
+    template void apply_impulse(const PushedBody<Dim>&, const PushedBody<Dim>&,                \
                                 const Contact<Dim>&, double);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)

@@ -49,9 +49,16 @@ template <int Dim>
 template <int Dim>
 void apply_impulse(Body<Dim>& a, Body<Dim>& b, const Contact<Dim>& contact, double j);
 
-/// The same with I^-1 of both bodies carried to the world frame already.
+/// A body and its I^-1, carried to the world frame already.
 template <int Dim>
-void apply_impulse(Body<Dim>& a, const Inertia<Dim>& inverse_a, Body<Dim>& b,
-                   const Inertia<Dim>& inverse_b, const Contact<Dim>& contact, double j);
+struct PushedBody {
+    Body<Dim>& body;
+    const Inertia<Dim>& inverse_inertia;
+};
+
+/// The same of such bodies.
+template <int Dim>
+void apply_impulse(const PushedBody<Dim>& a, const PushedBody<Dim>& b, const Contact<Dim>& contact,
+                   double j);
 
 }  // namespace lod

@@ -132,11 +132,11 @@ void Resolver<Dim>::resolve_lcp(const Island& island, Impacts impacts, Bodies bo
         const double u = closing_velocity(bodies[at(a)], bodies[at(b)], touch);
         target_[at(contact)] = -pair_restitution(bodies[at(a)], bodies[at(b)]) * u;
     }
-    report_.most_visits =
-        std::max(report_.most_visits,
-                 solve_by_gauss_seidel<Dim>(contacts_of(island), impacts, inverse_inertia_, target_,
-                                            gauss_seidel_tolerance(island, impacts, bodies), bodies,
-                                            impulses));
+    report_.most_visits = std::max(
+        report_.most_visits,
+        solve_by_gauss_seidel<Dim>({contacts_of(island), impacts, inverse_inertia_, target_,
+                                    gauss_seidel_tolerance(island, impacts, bodies)},
+                                   bodies, impulses));
 }
 
 template <int Dim>
@@ -152,15 +152,16 @@ void Resolver<Dim>::resolve_reflections(const Island& island, double threshold, 
         if (violated_.empty()) return;
         report_.most_visits = std::max(report_.most_visits, round + 1);
         // Onto the border of what is allowed, and e times as far beyond: a reflection at e = 1.
-        solve_by_gauss_seidel<Dim>(violated_, impacts, inverse_inertia_, target_,
-                                   gauss_seidel_tolerance(island, impacts, bodies), bodies, part_);
+        solve_by_gauss_seidel<Dim>({violated_, impacts, inverse_inertia_, target_,
+                                    gauss_seidel_tolerance(island, impacts, bodies)},
+                                   bodies, part_);
         for (std::int32_t contact : violated_) {
             const auto& [a, b, pair, touch] = impacts[at(contact)];
             Body<Dim>& body_a = bodies[at(a)];
             Body<Dim>& body_b = bodies[at(b)];
             const double beyond = pair_restitution(body_a, body_b) * part_[at(contact)];
-            apply_impulse(body_a, inverse_inertia_[at(a)], body_b, inverse_inertia_[at(b)], touch,
-                          beyond);
+            apply_impulse<Dim>({body_a, inverse_inertia_[at(a)]}, {body_b, inverse_inertia_[at(b)]},
+                               touch, beyond);
             impulses[at(contact)] += part_[at(contact)] + beyond;
         }
     }

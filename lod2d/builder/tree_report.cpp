@@ -39,10 +39,10 @@ TreeReport report_tree(const Shape& shape, const lod::SphereTree<2>& tree,
     const BoundaryIndex index(shape.polygon);
     const PolygonPiece whole(shape.polygon);
     return lod::report_levels<2>(
-        tree, whole, index, shape.area, settings.tolerance, [&](std::span<const Disc> discs) {
+        tree, whole, index, settings.tolerance, [&](std::span<const Disc> discs) {
             const std::vector<Arc> arcs = exposed_arcs(discs);
             return lod::UnionMeasures{mean_distance(index, discs, arcs, settings.samples),
-                                      union_area(discs, arcs)};
+                                      union_area(discs, arcs) / shape.area};
         });
 }
 

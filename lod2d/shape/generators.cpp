@@ -21,10 +21,19 @@ Point on_circle(double radius, double angle) {
     return {radius * of.cosine, radius * of.sine};
 }
 
-/// Appends count + 1 points from one angle to the other, both ends included.
-void append_arc(Ring& ring, const Point& centre, double radius, double from, double to, int count) {
+/// Part of a circle, from one angle to another.
+struct Arc {
+    Point centre;
+    double radius = 0;
+    double from = 0;
+    double to = 0;
+};
+
+/// Appends count + 1 points of an arc, both ends included.
+void append_arc(Ring& ring, const Arc& arc, int count) {
     for (int i = 0; i <= count; ++i)
-        ring.push_back(centre + on_circle(radius, from + (to - from) * i / count));
+        ring.push_back(arc.centre +
+                       on_circle(arc.radius, arc.from + (arc.to - arc.from) * i / count));
 }
 
 Ring circle(double radius, int sides, double first_angle = 0) {
@@ -78,8 +87,8 @@ Polygon make_capsule(Values v) {
     const double radius = v[1] / 2;
     const double reach = v[0] / 2 - radius;
     Ring ring;
-    append_arc(ring, {reach, 0}, radius, -pi / 2, pi / 2, 24);
-    append_arc(ring, {-reach, 0}, radius, pi / 2, 3 * pi / 2, 24);
+    append_arc(ring, {{reach, 0}, radius, -pi / 2, pi / 2}, 24);
+    append_arc(ring, {{-reach, 0}, radius, pi / 2, 3 * pi / 2}, 24);
     return {{ring}};
 }
 
@@ -139,8 +148,8 @@ Polygon make_gear(Values v) {
     Ring ring;
     for (int i = 0; i < teeth; ++i) {
         const double middle = pi / 2 + pitch * i;
-        append_arc(ring, {0, 0}, tip, middle - 0.16 * pitch, middle + 0.16 * pitch, cuts);
-        append_arc(ring, {0, 0}, root, middle + 0.30 * pitch, middle + 0.70 * pitch, cuts);
+        append_arc(ring, {{0, 0}, tip, middle - 0.16 * pitch, middle + 0.16 * pitch}, cuts);
+        append_arc(ring, {{0, 0}, root, middle + 0.30 * pitch, middle + 0.70 * pitch}, cuts);
     }
     Polygon gear{{ring}};
     if (v[2] > 0) gear.rings.push_back(hole(v[2] / 2, 48));
@@ -167,9 +176,9 @@ Polygon make_crescent(Values v) {
     const double inner_radius = tip.y() / lod::sine_cosine(bite).sine;
     const Point inner_centre(tip.x() - inner_radius * lod::sine_cosine(bite).cosine, 0);
     Ring ring;
-    append_arc(ring, {0, 0}, 0.5, horn, lod::full_turn - horn, 64);
+    append_arc(ring, {{0, 0}, 0.5, horn, lod::full_turn - horn}, 64);
     Ring inner;
-    append_arc(inner, inner_centre, inner_radius, lod::full_turn - bite, bite, 48);
+    append_arc(inner, {inner_centre, inner_radius, lod::full_turn - bite, bite}, 48);
     ring.insert(ring.end(), inner.begin() + 1, inner.end() - 1);
     return {{ring}};
 }

@@ -62,7 +62,8 @@ lod::Facet<2> ExactOutline::facet(std::int32_t edge) const {
 
 void ExactOutline::visit_pairs(const lod::ExactShape<2>& b, const lod::Placement<2>& b_in_a,
                                lod::PartVisitor<2>& visitor) const {
-    lod::walk_pairs<2>(*this, b, b_in_a, "an outline", nearest_edges, visitor);
+    lod::walk_pairs<2>(*this, lod::of_kind<ExactOutline>(b, "an outline"), b_in_a, nearest_edges,
+                       visitor);
 }
 
 void ExactOutline::keep_corners(const Point& normal, double tolerance,

@@ -79,9 +79,16 @@ Point foot_on(const BoundaryIndex& index, std::int32_t edge, const Point& p) {
     return nearest_on_segment(index.edge_start(edge), index.edge_end(edge), p);
 }
 
+/// The edges of a leaf.
+struct LeafEdges {
+    const BoundaryIndex& index;
+    const Node& node;
+};
+
 /// Of edges that do not cross, the shortest way begins or ends at one of their four ends.
-void shorten(const BoundaryIndex& a, const Node& node_a, const BoundaryIndex& b, const Node& node_b,
-             ClosestPoints& best, double& best2) {
+void shorten(const LeafEdges& of_a, const LeafEdges& of_b, ClosestPoints& best, double& best2) {
+    const BoundaryIndex& a = of_a.index;
+    const BoundaryIndex& b = of_b.index;
     const auto offer = [&](const Point& on_a, const Point& on_b) {
         const double length2 = (on_b - on_a).squaredNorm();
         if (length2 >= best2) return;
@@ -89,8 +96,8 @@ void shorten(const BoundaryIndex& a, const Node& node_a, const BoundaryIndex& b,
         best.on_a = on_a;
         best.on_b = on_b;
     };
-    for (std::int32_t i = node_a.first_edge; i < node_a.last_edge; ++i)
-        for (std::int32_t j = node_b.first_edge; j < node_b.last_edge; ++j) {
+    for (std::int32_t i = of_a.node.first_edge; i < of_a.node.last_edge; ++i)
+        for (std::int32_t j = of_b.node.first_edge; j < of_b.node.last_edge; ++j) {
             offer(a.edge_start(i), foot_on(b, j, a.edge_start(i)));
             offer(a.edge_end(i), foot_on(b, j, a.edge_end(i)));
             offer(foot_on(a, i, b.edge_start(j)), b.edge_start(j));
@@ -136,7 +143,7 @@ ClosestPoints closest_points(const BoundaryIndex& a, const BoundaryIndex& b) {
         const Node& node_a = node_at(a, at.a);
         const Node& node_b = node_at(b, at.b);
         if (node_a.right == 0 && node_b.right == 0) {
-            shorten(a, node_a, b, node_b, best, best2);
+            shorten({a, node_a}, {b, node_b}, best, best2);
             continue;
         }
         const bool open_a = opens_a(node_a, node_b);

@@ -14,11 +14,12 @@ namespace {
 /// Samples the part of every sphere that no other ball covers. Its volume is a third of the
 /// integral of x . n over it (Gauss).
 lod::UnionMeasures sample_union(std::span<const lod::Sphere<3>> balls, const MeshDistance& distance,
-                                int samples) {
+                                double solid_volume, int samples) {
     const int each = std::max(100, samples / static_cast<int>(balls.size()));
     const std::vector<Point> directions = spread_directions(each);
     double area = 0;
     double distances = 0;
+    double volume = 0;
     lod::UnionMeasures result;
     const std::vector<lod::Box<3>> boxes = lod::boxes_of<3>(balls);
     lod::BoxTree<3> tree(boxes);
@@ -39,9 +40,10 @@ lod::UnionMeasures sample_union(std::span<const lod::Sphere<3>> balls, const Mes
             if (hidden) continue;
             area += patch;
             distances += patch * distance.distance(p);
-            result.measure += patch * p.dot(u) / 3;
+            volume += patch * p.dot(u) / 3;
         }
     }
+    result.measure_ratio = volume / solid_volume;
     if (area > 0) result.mean_protrusion = distances / area;
     return result;
 }
@@ -52,10 +54,10 @@ TreeReport report_tree(const Solid& solid, const lod::SphereTree<3>& tree,
                        const ReportSettings& settings) {
     const MeshDistance distance(solid.mesh, solid.inside_rule);
     const MeshPiece whole(solid, distance);
-    return lod::report_levels<3>(tree, whole, distance, solid.volume, settings.tolerance,
-                                 [&](std::span<const lod::Sphere<3>> balls) {
-                                     return sample_union(balls, distance, settings.samples);
-                                 });
+    return lod::report_levels<3>(
+        tree, whole, distance, settings.tolerance, [&](std::span<const lod::Sphere<3>> balls) {
+            return sample_union(balls, distance, solid.volume, settings.samples);
+        });
 }
 
 }  // namespace lod3d

@@ -145,7 +145,8 @@ lod::Facet<3> ExactSurface::facet(std::int32_t triangle) const {
 
 void ExactSurface::visit_pairs(const lod::ExactShape<3>& b, const lod::Placement<3>& b_in_a,
                                lod::PartVisitor<3>& visitor) const {
-    lod::walk_pairs<3>(*this, b, b_in_a, "a surface", nearest_triangles, visitor);
+    lod::walk_pairs<3>(*this, lod::of_kind<ExactSurface>(b, "a surface"), b_in_a, nearest_triangles,
+                       visitor);
 }
 
 namespace {

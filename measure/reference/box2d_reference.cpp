@@ -246,8 +246,7 @@ class World {
 }  // namespace
 
 Box2dRun run_box2d(std::span<const lod::Body<2>> bodies, std::span<const Shape* const> shapes,
-                   std::int64_t frames, double frame_step, const Box2dSettings& settings,
-                   const std::function<void(double share)>& progress) {
+                   std::int64_t frames, double frame_step, const Box2dSettings& settings) {
     constexpr double rounding = 1e-9;
     const double steps = std::max(1.0, std::ceil(frame_step / settings.time_step - rounding));
     World world(bodies, shapes, frame_step / steps, settings);
@@ -262,7 +261,8 @@ Box2dRun run_box2d(std::span<const lod::Body<2>> bodies, std::span<const Shape* 
             run.impacts.push_back(std::move(impact));
         }
         run.frames.push_back(world.now());
-        if (progress) progress(static_cast<double>(frame + 1) / static_cast<double>(frames));
+        if (settings.progress)
+            settings.progress(static_cast<double>(frame + 1) / static_cast<double>(frames));
     }
     return run;
 }

@@ -23,6 +23,8 @@ struct Box2dSettings {
     /// with 16 units a metre these are 0.6 mm and 0.16 mm. A power of two keeps numbers exact.
     double units_per_metre = 16;
     int velocity_iterations = 100;  ///< of its solver; 8 is usual in games
+    std::function<void(double share)>
+        progress{};  ///< of run_box2d: the share done, after each frame
 };
 
 /// One contact point that Box2D pushed at. Points that the pieces of one body share count once.
@@ -60,14 +62,13 @@ struct Box2dRun {
 /// `shapes[i]` is the shape of body i, in its body frame; of a half-space Box2D gets the border, as
 /// an edge that reaches 1 km to either side. Concave shapes become convex pieces of at
 /// most 8 corners; mass and inertia are the bodies' own. A pair's restitution is the smaller one.
-/// Requires frame_step > 0, frames >= 0. `progress`, where given, is called after every frame with
-/// the share done. Throws lod::Error: input refused where a shape is too fine for Box2D at this
-/// scale, which is where more than a thousandth of its area lies in pieces thinner than Box2D can
-/// hold; limit exceeded where a body moves or turns farther in one step than Box2D lets it.
+/// Requires frame_step > 0, frames >= 0. Throws lod::Error: input refused where a shape is too fine
+/// for Box2D at this scale, which is where more than a thousandth of its area lies in pieces
+/// thinner than Box2D can hold; limit exceeded where a body moves or turns farther in one step than
+/// Box2D lets it.
 [[nodiscard]] Box2dRun run_box2d(std::span<const lod::Body<2>> bodies,
                                  std::span<const Shape* const> shapes, std::int64_t frames,
-                                 double frame_step, const Box2dSettings& settings = {},
-                                 const std::function<void(double share)>& progress = {});
+                                 double frame_step, const Box2dSettings& settings = {});
 
 /// The same to the first step in which an impulse acts, and that step, in steps of
 /// settings.time_step.

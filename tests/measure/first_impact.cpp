@@ -83,14 +83,14 @@ TEST_CASE("the collision of frames ends when the pushes end", "[measure]") {
     settings.time_step = 1.0 / 240;
     settings.deepest_level = 0;
     settings.contact_model = lod::ContactModel::centre_line;
-    const auto collision = framed_collision<2>(bodies[0], bodies[1], settings, 1, planar);
+    const auto collision = framed_collision<2>(bodies[0], bodies[1], settings, planar, {1});
     REQUIRE(collision);
     // The roots, of radius 1/sqrt 2 at least, meet while the faces are still apart.
     CHECK(collision->gap > 0.1);
     CHECK(collision->time < 0.45);
     CHECK(collision->gap == Approx(1 - 2 * collision->time).margin(1e-12));
     CHECK(collision->after[0].velocity.x() + collision->after[1].velocity.x() == Approx(2));
-    CHECK_FALSE(framed_collision<2>(bodies[0], bodies[1], settings, 0.1, planar));
+    CHECK_FALSE(framed_collision<2>(bodies[0], bodies[1], settings, planar, {0.1}));
 }
 
 TEST_CASE("exact impacts of random pairs agree with Box2D's to a step of its motion",

@@ -121,7 +121,8 @@ MOST_ALIKE = 0.75  # of the tokens of two bodies
 
 MOST_FILE_LINES = 400
 CUT_NAME = re.compile(r'TEST_CASE(_SIG)?\("[^"]*;')
-MOST_FUNCTION_LINES = 60
+MOST_FUNCTION_LINES = 50
+MOST_PARAMETERS = 5
 MOST_FOLDER_FILES = 20
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(<[^>]+>|"[^"]+")')
@@ -169,6 +170,7 @@ def matching(text, start):
 
 def functions_of(code):
     """Every function's body outside other functions, by matching braces."""
+    code = re.sub(r"=\s*\{\s*\}", lambda empty: "=" + empty.group()[1:].replace("{", " ").replace("}", " "), code)
     outer = []  # per open brace: (whether it opened a function, its place, its head)
     head_start = 0
     for match in re.finditer(r"[{};]|^\s*#[^\n]*|\b(public|private|protected)\s*:", code, re.M):
@@ -285,6 +287,11 @@ def check_code(name, text, breaches):
         if function.lines > MOST_FUNCTION_LINES:
             breaches.append(
                 f"{name}:{function.line}: a function of {function.lines} lines; at most {MOST_FUNCTION_LINES}"
+            )
+        taken = len(types_of(function.parameters)) if function.parameters.strip() else 0
+        if folder in LIBRARIES and folder != "lessons" and taken > MOST_PARAMETERS:
+            breaches.append(
+                f"{name}:{function.line}: {function.name} takes {taken} parameters; at most {MOST_PARAMETERS}, more in a struct"
             )
 
 

@@ -39,7 +39,7 @@ HOUSE = {
     "viz/paint/canvas/canvas.hpp": '#include "viz/figure/figure.hpp"\n',
     "cli/commands/main.cpp": '#include <CLI/CLI.hpp>\n#include "viz/figure/figure.hpp"\n',
     "tests/video.cpp": "#include <libavformat/avformat.h>\n#include <lodlab/core.hpp>\n",
-    "core/base/long.cpp": "void f() {\n" + "    g();\n" * 58 + "}\nstruct S {\n" + "int i;\n" * 300 + "};\n",
+    "core/base/long.cpp": "void f(int a, int b, int c, int d, std::map<int, int> e) {\n" + "    g();\n" * 48 + "}\nstruct S {\n" + "int i;\n" * 300 + "};\n",
 }
 
 BREACHES = {
@@ -71,8 +71,13 @@ BREACHES = {
     "JSON in a header": ("lod2d/shape/a.hpp", "#include <nlohmann/json.hpp>\n"),
     "a test that ctest would not find": ("tests/a.cpp", 'TEST_CASE("one; two") {}\n'),
     "a long file": ("core/tree/a.cpp", "int i;\n" * 401),
-    "a long function": ("core/tree/a.cpp", "int f() {\n" + "    g();\n" * 59 + "}\n"),
-    "a long method": ("core/tree/a.cpp", "class A {\n  public:\n    int f(int a,\n   int b) const {\n" + "    g();\n" * 59 + "}\n};\n"),
+    "a long function": ("core/tree/a.cpp", "int f() {\n" + "    g();\n" * 49 + "}\n"),
+    "a function of six parameters": ("viz/draw/a.cpp", "void f(int a, int b, int c, int d, int e, std::map<int, int> g = {}) {}\n"),
+    "a constructor of six parameters": (
+        "lod2d/shape/a.hpp",
+        "class A {\n    A(int a, int b, int c,\n      int d, int e, int f)\n        : a_(a) {}\n};\n",
+    ),
+    "a long method": ("core/tree/a.cpp", "class A {\n  public:\n    int f(int a,\n   int b) const {\n" + "    g();\n" * 49 + "}\n};\n"),
     "a function of the plane again in space": (
         "lod3d/solid/a.cpp",
         "[[nodiscard]] double extent(const lod3d::Mesh& mesh) {\n    return 2;\n}\n",

@@ -106,7 +106,7 @@ TEST_CASE("contacts of two cubes stand where they touch on the panel", "[space][
     const auto fronts = lod::traverse_levels(a.body, b.body);
     const Figure figure = contacts_by_level(a, b, fronts);
     const auto contacts =
-        lod::contacts_of_front<3>(a.body, b.body, fronts[0], lod::ContactModel::centre_line);
+        lod::contacts_of_front<3>(a.body, b.body, fronts[0], {lod::ContactModel::centre_line});
     REQUIRE(contacts.size() == 1);
     CHECK(contacts[0].point.isApprox(Vector3(0.5, 0, 0)));
     const Dot* dot = first_of<Dot>(figure.panels[0], Role::contact);

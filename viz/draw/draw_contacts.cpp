@@ -44,13 +44,13 @@ template <int Dim>
 Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const lod::Front& front,
                   lod::PointModel model, const View<Dim>& view) {
     const std::vector<lod::Contact<Dim>> contacts =
-        lod::contacts_of_front<Dim>(a.body, b.body, front, lod::ContactModel::centre_line, model);
+        lod::contacts_of_front<Dim>(a.body, b.body, front, {lod::ContactModel::centre_line, model});
     Panel panel = blank_panel<Dim>(view);
     panel.title = "Level " + std::to_string(front.level) + ": " +
                   count_text(static_cast<long long>(contacts.size()), "contact");
     add_body(panel, a, 0, Sight<Dim>::see_through);
     add_body(panel, b, 1, Sight<Dim>::see_through);
-    add_meeting_nodes<Dim>(panel, a.body, b.body, 0, 1, front.pairs, 0.6);
+    add_meeting_nodes<Dim>(panel, {a.body, 0}, {b.body, 1}, front.pairs, 0.6);
     add_normals<Dim>(panel, contacts, 0.14 * longer_side(panel.view));
     add_contact_points<Dim>(panel, contacts);
     return panel;
@@ -110,9 +110,10 @@ void add_plane(Marks& marks, const lod::Sphere<2>& a, const lod::Sphere<2>& b, c
 
 template <int Dim>
 Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
-                         const std::vector<lod::Front>& fronts, lod::PointModel model,
-                         std::vector<int> levels, const typename Sight<Dim>::Viewpoint& viewpoint) {
-    if (levels.empty()) levels = legible_levels(fronts);
+                         const std::vector<lod::Front>& fronts, const ContactsChoice& choice,
+                         const typename Sight<Dim>::Viewpoint& viewpoint) {
+    const lod::PointModel model = choice.model;
+    const std::vector<int> levels = choice.levels.empty() ? legible_levels(fronts) : choice.levels;
     const View<Dim> view = view_of_contacts(a, b, fronts, levels, viewpoint);
     const std::string name_a = shown_name<Dim>({a.look, b.look}, 0);
     const std::string name_b = shown_name<Dim>({a.look, b.look}, 1);
@@ -131,7 +132,7 @@ Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
             add_names(figure.panels[0], a, b, level == 0 ? Beside::roots : Beside::outlines);
         figure.alt += " " + figure.panels.back().title + ".";
         most = std::max(most, lod::contacts_of_front<Dim>(a.body, b.body, front,
-                                                          lod::ContactModel::centre_line, model)
+                                                          {lod::ContactModel::centre_line, model})
                                   .size());
     }
     figure.numbers = {
@@ -185,10 +186,10 @@ Figure contact_construction(const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
 }
 
 template Figure contacts_by_level<2>(const Actor<2>&, const Actor<2>&,
-                                     const std::vector<lod::Front>&, lod::PointModel,
-                                     std::vector<int>, const Sight<2>::Viewpoint&);
+                                     const std::vector<lod::Front>&, const ContactsChoice&,
+                                     const Sight<2>::Viewpoint&);
 template Figure contacts_by_level<3>(const Actor<3>&, const Actor<3>&,
-                                     const std::vector<lod::Front>&, lod::PointModel,
-                                     std::vector<int>, const Sight<3>::Viewpoint&);
+                                     const std::vector<lod::Front>&, const ContactsChoice&,
+                                     const Sight<3>::Viewpoint&);
 
 }  // namespace viz

@@ -8,15 +8,19 @@
 
 namespace viz {
 
+/// What contacts_by_level shows.
+struct ContactsChoice {
+    std::vector<int> levels{};  ///< empty: up to six, and none with more than 128 contacts
+    lod::PointModel model = lod::PointModel::radius_ratio;
+};
+
 /// One face contact as ever more sphere contacts (the paper's figure 3): one panel a level, with
 /// the nodes that intersect, the contact point of each pair and its normal, by the paper's model
 /// (lod::ContactModel::centre_line).
-/// `levels` empty: up to six, and none with more than 128 contacts.
 template <int Dim>
 [[nodiscard]] Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
                                        const std::vector<lod::Front>& fronts,
-                                       lod::PointModel model = lod::PointModel::radius_ratio,
-                                       std::vector<int> levels = {},
+                                       const ContactsChoice& choice = {},
                                        const typename Sight<Dim>::Viewpoint& viewpoint = {});
 
 /// How the contact point and normal of two overlapping nodes are found (the paper's figure 4): the

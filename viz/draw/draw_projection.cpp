@@ -121,7 +121,7 @@ Figure projected_collision(const Actor<3>& a, const Actor<3>& b, const lod::Fram
     const std::string name_a = shown_name<3>({a.look, b.look}, 0);
     const std::string name_b = shown_name<3>({a.look, b.look}, 1);
     Panel in_space = blank_panel<3>(SpaceView());
-    add_meeting_nodes<3>(in_space, a.body, b.body, 0, 1, record.nodes_of(pair.nodes));
+    add_meeting_nodes<3>(in_space, {a.body, 0}, {b.body, 1}, record.nodes_of(pair.nodes));
 
     Panel panel;
     FlatView view;

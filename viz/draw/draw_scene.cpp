@@ -51,37 +51,36 @@ void add_ghost(Panel& panel, const Actor<Dim>& actor, int number, double opacity
 }
 
 template <int Dim>
-void add_nodes(Panel& panel, const lod::Body<Dim>& body, std::span<const int> nodes, Role role,
-               int number, double opacity) {
+void add_nodes(Panel& panel, const lod::Body<Dim>& body, std::span<const int> nodes,
+               const Style& style) {
     if (body.tree->is_half_space()) return;  // its only node is all of it
-    for (const int node : nodes)
-        Sight<Dim>::add_ball(
-            panel,
-            {.role = role, .body = number, .level = body.tree->level_of(node), .opacity = opacity},
-            carried_node(body, node));
+    for (const int node : nodes) {
+        Style own = style;
+        own.level = body.tree->level_of(node);
+        Sight<Dim>::add_ball(panel, own, carried_node(body, node));
+    }
 }
 
 template <int Dim>
-void add_meeting_nodes(Panel& panel, const lod::Body<Dim>& a, const lod::Body<Dim>& b, int number_a,
-                       int number_b, std::span<const lod::NodePair> pairs, double opacity) {
+void add_meeting_nodes(Panel& panel, const NumberedBody<Dim>& a, const NumberedBody<Dim>& b,
+                       std::span<const lod::NodePair> pairs, double opacity) {
     std::set<int> meeting_a;
     std::set<int> meeting_b;
     std::set<int> true_a;
     std::set<int> true_b;
     for (const lod::NodePair& pair : pairs) {
-        const bool leaves = a.tree->is_leaf(pair.a) && b.tree->is_leaf(pair.b);
+        const bool leaves = a.body.tree->is_leaf(pair.a) && b.body.tree->is_leaf(pair.b);
         (leaves ? true_a : meeting_a).insert(pair.a);
         (leaves ? true_b : meeting_b).insert(pair.b);
     }
-    const auto add = [&](const lod::Body<Dim>& body, const std::set<int>& nodes, Role role,
-                         int number) {
-        add_nodes<Dim>(panel, body, std::vector<int>(nodes.begin(), nodes.end()), role, number,
-                       opacity);
+    const auto add = [&](const NumberedBody<Dim>& of, const std::set<int>& nodes, Role role) {
+        add_nodes<Dim>(panel, of.body, std::vector<int>(nodes.begin(), nodes.end()),
+                       Style{.role = role, .body = of.number, .opacity = opacity});
     };
-    add(a, meeting_a, Role::meeting_node, number_a);
-    add(b, meeting_b, Role::meeting_node, number_b);
-    add(a, true_a, Role::true_collision, number_a);
-    add(b, true_b, Role::true_collision, number_b);
+    add(a, meeting_a, Role::meeting_node);
+    add(b, meeting_b, Role::meeting_node);
+    add(a, true_a, Role::true_collision);
+    add(b, true_b, Role::true_collision);
 }
 
 template <int Dim>
@@ -126,15 +125,16 @@ void add_normals(Panel& panel, std::span<const lod::Contact<Dim>> contacts, doub
 }
 
 template <int Dim>
-void add_velocity(Panel& panel, const lod::Body<Dim>& body, int number, double metres_per_speed,
+void add_velocity(Panel& panel, const NumberedBody<Dim>& numbered, double metres_per_speed,
                   double opacity, SpinWords spin) {
+    const lod::Body<Dim>& body = numbered.body;
     const double speed = body.velocity.norm();
     if (speed == 0) return;
     std::string words = quantity_text(speed, "m/s", 2);
     const double turning = Sight<Dim>::amount(body.spin);
     if (spin == SpinWords::shown && turning != 0)
         words.append("\n").append(quantity_text(turning, "rad/s", 2));
-    add_arrow<Dim>(panel, {.role = Role::velocity, .body = number, .opacity = opacity},
+    add_arrow<Dim>(panel, {.role = Role::velocity, .body = numbered.number, .opacity = opacity},
                    body.position, body.position + metres_per_speed * body.velocity, words);
 }
 
@@ -234,11 +234,11 @@ template void add_body<2>(Panel&, const Actor<2>&, int, double);
 template void add_body<3>(Panel&, const Actor<3>&, int, double);
 template void add_ghost<2>(Panel&, const Actor<2>&, int, double);
 template void add_ghost<3>(Panel&, const Actor<3>&, int, double);
-template void add_nodes<2>(Panel&, const lod::Body<2>&, std::span<const int>, Role, int, double);
-template void add_nodes<3>(Panel&, const lod::Body<3>&, std::span<const int>, Role, int, double);
-template void add_meeting_nodes<2>(Panel&, const lod::Body<2>&, const lod::Body<2>&, int, int,
+template void add_nodes<2>(Panel&, const lod::Body<2>&, std::span<const int>, const Style&);
+template void add_nodes<3>(Panel&, const lod::Body<3>&, std::span<const int>, const Style&);
+template void add_meeting_nodes<2>(Panel&, const NumberedBody<2>&, const NumberedBody<2>&,
                                    std::span<const lod::NodePair>, double);
-template void add_meeting_nodes<3>(Panel&, const lod::Body<3>&, const lod::Body<3>&, int, int,
+template void add_meeting_nodes<3>(Panel&, const NumberedBody<3>&, const NumberedBody<3>&,
                                    std::span<const lod::NodePair>, double);
 template void add_contact_points<2>(Panel&, std::span<const lod::Contact<2>>, double);
 template void add_contact_points<3>(Panel&, std::span<const lod::Contact<3>>, double);
@@ -250,8 +250,8 @@ template void add_arrow<3>(Panel&, const Style&, const lod::Vector<3>&, const lo
                            const std::string&);
 template void add_line<2>(Panel&, const Style&, std::span<const lod::Vector<2>>, double);
 template void add_line<3>(Panel&, const Style&, std::span<const lod::Vector<3>>, double);
-template void add_velocity<2>(Panel&, const lod::Body<2>&, int, double, double, SpinWords);
-template void add_velocity<3>(Panel&, const lod::Body<3>&, int, double, double, SpinWords);
+template void add_velocity<2>(Panel&, const NumberedBody<2>&, double, double, SpinWords);
+template void add_velocity<3>(Panel&, const NumberedBody<3>&, double, double, SpinWords);
 template std::string shown_name<2>(const std::vector<Look<2>>&, std::size_t);
 template std::string shown_name<3>(const std::vector<Look<3>>&, std::size_t);
 template void add_name<2>(Panel&, const Actor<2>&, const std::string&, int, Point);

@@ -26,16 +26,29 @@ void add_body(Panel& panel, const Actor<Dim>& actor, int number, double opacity 
 template <int Dim>
 void add_ghost(Panel& panel, const Actor<Dim>& actor, int number, double opacity);
 
-/// Nodes of the body's tree.
+/// Nodes of the body's tree, all in one style, each with its level.
+template <int Dim>
+void add_nodes(Panel& panel, const lod::Body<Dim>& body, std::span<const int> nodes,
+               const Style& style);
+/// The same of the body of that number.
 template <int Dim>
 void add_nodes(Panel& panel, const lod::Body<Dim>& body, std::span<const int> nodes, Role role,
-               int number, double opacity = 1);
+               int number) {
+    add_nodes<Dim>(panel, body, nodes, Style{.role = role, .body = number});
+}
+
+/// A body and its number in a picture.
+template <int Dim>
+struct NumberedBody {
+    const lod::Body<Dim>& body;
+    int number = 0;
+};
 
 /// The nodes of both bodies that a list of pairs names, each once: meeting nodes, or true
 /// collisions where a leaf meets a leaf.
 template <int Dim>
-void add_meeting_nodes(Panel& panel, const lod::Body<Dim>& a, const lod::Body<Dim>& b, int number_a,
-                       int number_b, std::span<const lod::NodePair> pairs, double opacity = 1);
+void add_meeting_nodes(Panel& panel, const NumberedBody<Dim>& a, const NumberedBody<Dim>& b,
+                       std::span<const lod::NodePair> pairs, double opacity = 1);
 
 /// A dot for every contact; smaller dots where there are many.
 template <int Dim>
@@ -63,7 +76,7 @@ enum class SpinWords { left_out, shown };
 /// The velocity of a body's centre as an arrow, `metres_per_speed` long for 1 m/s, with its value
 /// and, where asked for, the spin below it.
 template <int Dim>
-void add_velocity(Panel& panel, const lod::Body<Dim>& body, int number, double metres_per_speed,
+void add_velocity(Panel& panel, const NumberedBody<Dim>& numbered, double metres_per_speed,
                   double opacity = 1, SpinWords spin = SpinWords::left_out);
 
 /// The name of one of several bodies, with a letter behind it where two have the same.

@@ -40,7 +40,7 @@ Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lo
     const TestedNodes tested = tested_nodes(a.body, b.body, fronts, level);
     add_nodes<Dim>(panel, a.body, tested.a, Role::node, 0);
     add_nodes<Dim>(panel, b.body, tested.b, Role::node, 1);
-    add_meeting_nodes<Dim>(panel, a.body, b.body, 0, 1, front.pairs);
+    add_meeting_nodes<Dim>(panel, {a.body, 0}, {b.body, 1}, front.pairs);
     return panel;
 }
 
@@ -116,9 +116,10 @@ TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
 
 template <int Dim>
 Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
-                 std::vector<int> levels, const typename Sight<Dim>::Viewpoint& viewpoint,
-                 bool proved_apart) {
-    if (levels.empty()) levels = montage_levels(static_cast<int>(fronts.size()));
+                 const TraversalChoice& choice, const typename Sight<Dim>::Viewpoint& viewpoint) {
+    const bool proved_apart = choice.proved_apart;
+    const std::vector<int> levels =
+        choice.levels.empty() ? montage_levels(static_cast<int>(fronts.size())) : choice.levels;
     Figure figure;
     figure.title = proved_apart ? names_of(a, b) + " do not collide: their " +
                                       Sight<Dim>::ball_word + "s meet, what they hold does not"
@@ -169,9 +170,9 @@ template TestedNodes tested_nodes<2>(const lod::Body<2>&, const lod::Body<2>&,
 template TestedNodes tested_nodes<3>(const lod::Body<3>&, const lod::Body<3>&,
                                      const std::vector<lod::Front>&, int);
 template Figure traversal<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
-                             std::vector<int>, const Sight<2>::Viewpoint&, bool);
+                             const TraversalChoice&, const Sight<2>::Viewpoint&);
 template Figure traversal<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,
-                             std::vector<int>, const Sight<3>::Viewpoint&, bool);
+                             const TraversalChoice&, const Sight<3>::Viewpoint&);
 template Figure traversal_level<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
                                    int, const Sight<2>::Viewpoint&);
 template Figure traversal_level<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,

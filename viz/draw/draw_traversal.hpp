@@ -7,16 +7,22 @@
 
 namespace viz {
 
+/// What traversal shows.
+struct TraversalChoice {
+    /// Empty: all, or the first five and the last where there are more than six.
+    std::vector<int> levels{};
+    /// Though nodes of the last level intersect, their hulls or the true shapes do not.
+    bool proved_apart = false;
+};
+
 /// The traversal of a pair level by level (the paper's figure 2): the nodes tested at each level
 /// thin, those that intersect and go on bold, leaf pairs doubled, until the bodies prove apart or
-/// truly collide. `fronts` as lod::traverse_levels returns them. `levels` empty: all, or the first
-/// five and the last where there are more than six. `proved_apart`: though nodes of the last level
-/// intersect, their hulls or the true shapes do not.
+/// truly collide. `fronts` as lod::traverse_levels returns them.
 template <int Dim>
 [[nodiscard]] Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b,
-                               const std::vector<lod::Front>& fronts, std::vector<int> levels = {},
-                               const typename Sight<Dim>::Viewpoint& viewpoint = {},
-                               bool proved_apart = false);
+                               const std::vector<lod::Front>& fronts,
+                               const TraversalChoice& choice = {},
+                               const typename Sight<Dim>::Viewpoint& viewpoint = {});
 
 /// One level of it: a step of a lesson.
 template <int Dim>

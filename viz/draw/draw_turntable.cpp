@@ -58,7 +58,9 @@ Figure picture(const TurntableShot& film, int frame) {
     add_body(panel, film.actor, 0);
     const auto add_level = [&](int which, double opacity) {
         const std::vector<int> nodes = film.actor.body.tree->level_nodes(which);
-        if (opacity > 0) add_nodes<3>(panel, film.actor.body, nodes, Role::level_node, 1, opacity);
+        if (opacity > 0)
+            add_nodes<3>(panel, film.actor.body, nodes,
+                         Style{.role = Role::level_node, .body = 1, .opacity = opacity});
     };
     add_level(level, 1 - fade);
     add_level(next, fade);

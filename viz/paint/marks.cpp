@@ -27,13 +27,13 @@ constexpr double wide_panel = 800;      ///< larger words from here on
 /// Draws one panel's marks and gathers its words and what they must not cover.
 class Painter {
   public:
-    Painter(const PanelPlace& place, bool plot, Theme theme, Rgb ground, const Hidden& hidden,
+    Painter(const PanelPlace& place, bool plot, const PanelInk& ink, const Hidden& hidden,
             Canvas& canvas)
         : label_size_(!plot && place.frame.width > wide_panel ? 1.25 * label_size : label_size),
           map_(place.mapping),
           frame_(place.frame),
-          theme_(theme),
-          ground_(ground),
+          theme_(ink.theme),
+          ground_(ink.ground),
           hidden_(hidden),
           canvas_(canvas),
           reach_(grown(place.frame, beyond)) {}
@@ -367,9 +367,9 @@ void Painter::paint_words(const Rect& bounds) {
 
 }  // namespace
 
-void paint_marks(const Panel& panel, const PanelPlace& place, Theme theme, Rgb ground,
+void paint_marks(const Panel& panel, const PanelPlace& place, const PanelInk& ink,
                  const Hidden& hidden, Canvas& canvas) {
-    Painter painter(place, panel.axes.has_value(), theme, ground, hidden, canvas);
+    Painter painter(place, panel.axes.has_value(), ink, hidden, canvas);
     canvas.clip(panel.axes ? grown(place.frame, 8) : place.frame);
     if (panel.space) painter.keep_words_off(outlines_of(*panel.space));
     painter.paint(panel.marks);

@@ -126,19 +126,27 @@ void place_caption(const Figure& figure, Canvas& canvas, double bar_width, Rect&
     content.height -= foot + 14;
 }
 
-void place_headings(const Figure& figure, Canvas& canvas, const Grid& grid, Rect& content,
-                    PageLayout& layout, Parts& rows, Parts& columns) {
+/// Where the rows and columns of panels lie.
+struct Division {
+    Parts rows;
+    Parts columns;
+};
+
+Division place_headings(const Figure& figure, Canvas& canvas, const Grid& grid, const Rect& content,
+                        PageLayout& layout) {
     double left = 0;
     for (const std::string& words : figure.row_titles)
         left = std::max(left, canvas.measure(heading(words, PageInks{}, 150)).width);
     if (left > 0) left += 16;
     const double top = figure.column_titles.empty() ? 0 : 32;
-    rows = divided(content.y + top, content.height - top, grid.rows, figure.row_weights);
-    columns = divided(content.x + left, content.width - left, grid.columns, figure.column_weights);
+    Parts rows = divided(content.y + top, content.height - top, grid.rows, figure.row_weights);
+    Parts columns =
+        divided(content.x + left, content.width - left, grid.columns, figure.column_weights);
     for (std::size_t r = 0; r < rows.start.size() && !figure.row_titles.empty(); ++r)
         layout.row_titles.push_back({content.x, rows.start[r], left - 16, rows.length[r]});
     for (std::size_t c = 0; c < columns.start.size() && top > 0; ++c)
         layout.column_titles.push_back({columns.start[c], content.y, columns.length[c], top});
+    return {std::move(rows), std::move(columns)};
 }
 
 Rect cell_rect(const Cell& cell, const Parts& rows, const Parts& columns) {
@@ -242,13 +250,11 @@ PageLayout lay_out_page(const Figure& figure, Canvas& canvas) {
     place_caption(figure, canvas, bar ? 290 : 0, content, layout);
 
     const Grid grid = grid_of(figure);
-    Parts rows;
-    Parts columns;
-    place_headings(figure, canvas, grid, content, layout, rows, columns);
+    const Division division = place_headings(figure, canvas, grid, content, layout);
     for (std::size_t i = 0; i < figure.panels.size(); ++i)
-        layout.panels.push_back(place_panel(figure.panels[i],
-                                            cell_rect(grid.cells[i], rows, columns),
-                                            !figure.row_titles.empty(), canvas));
+        layout.panels.push_back(
+            place_panel(figure.panels[i], cell_rect(grid.cells[i], division.rows, division.columns),
+                        !figure.row_titles.empty(), canvas));
     const double scale = map_views(figure, layout);
     constexpr double longest_bar = 130;
     if (bar && scale > 0) layout.bar_metres = round_length(longest_bar / scale);

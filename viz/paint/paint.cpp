@@ -129,7 +129,7 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas) {
         }
         const Hidden hidden =
             panel.space ? paint_space(panel, place, theme, ground, canvas) : Hidden();
-        paint_marks(panel, place, theme, ground, hidden, canvas);
+        paint_marks(panel, place, {theme, ground}, hidden, canvas);
         if (!panel.title.empty())
             canvas.write(panel_title(panel, inks, place), top_left(place.title),
                          title_within(panel, place) ? &ground : nullptr);

@@ -155,7 +155,7 @@ viz::Panel draw_front(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
     const viz::TestedNodes tested = viz::tested_nodes<Dim>(a, b, fronts, level);
     viz::add_nodes<Dim>(panel, a, tested.a, viz::Role::node, 0);
     viz::add_nodes<Dim>(panel, b, tested.b, viz::Role::node, 1);
-    viz::add_meeting_nodes<Dim>(panel, a, b, 0, 1, fronts[level].pairs);
+    viz::add_meeting_nodes<Dim>(panel, {a, 0}, {b, 1}, fronts[level].pairs);
     return panel;
 }
 

@@ -57,8 +57,12 @@ int cuts_of(const Point& a, const Point& b, const Point& c, const Point& d, doub
     return static_cast<int>(std::clamp(cuts, 1.0, double(CurvePath::most_cuts)));
 }
 
-void append_cubic(Ring& ring, const Point& a, const Point& b, const Point& c, const Point& d,
-                  double tolerance) {
+/// `q`: the end points and, between them, the control points.
+void append_cubic(Ring& ring, std::span<const Point, 4> q, double tolerance) {
+    const Point& a = q[0];
+    const Point& b = q[1];
+    const Point& c = q[2];
+    const Point& d = q[3];
     const int cuts = cuts_of(a, b, c, d, tolerance);
     for (int i = 1; i < cuts; ++i) {
         const double t = double(i) / cuts;
@@ -127,15 +131,15 @@ void CurvePath::cubic_to(const Point& control_1, const Point& control_2, const P
     current_ = p;
 }
 
-void CurvePath::arc_to(double rx, double ry, double tilt, bool large, bool sweep, const Point& p) {
-    rx = std::abs(rx);
-    ry = std::abs(ry);
+void CurvePath::arc_to(const EllipseArc& arc, const Point& p) {
+    const double rx = std::abs(arc.rx);
+    const double ry = std::abs(arc.ry);
     const Point start = current_;
     if (p == start) return;
     if (rx == 0 || ry == 0) return line_to(p);
 
     // In the frame where the ellipse is the unit circle.
-    const lod::SineCosine of = lod::sine_cosine(tilt);
+    const lod::SineCosine of = lod::sine_cosine(arc.tilt);
     const lod::Matrix<2> to_circle(of.cosine / rx, of.sine / rx, -of.sine / ry, of.cosine / ry);
     const Point chord = to_circle * (p - start);
     const double half = chord.norm() / 2;
@@ -143,7 +147,7 @@ void CurvePath::arc_to(double rx, double ry, double tilt, bool large, bool sweep
     // From the chord's middle to the centre: left of the chord for a short sweep.
     const double rise = std::sqrt(std::max(0.0, grow * grow - half * half)) / grow;
     const Point along = chord / (2 * half);
-    const Point to_centre = (large == sweep ? -rise : rise) * perpendicular(along);
+    const Point to_centre = (arc.large == arc.sweep ? -rise : rise) * perpendicular(along);
     const Point u = -half / grow * along - to_centre;
     const Point v = half / grow * along - to_centre;
 
@@ -152,9 +156,9 @@ void CurvePath::arc_to(double rx, double ry, double tilt, bool large, bool sweep
     const lod::Matrix<2> from_circle(of.cosine * a, -of.sine * b, of.sine * a, of.cosine * b);
     const Point centre = start - from_circle * u;
     // Clockwise arcs are halved in a mirror.
-    const Point mirror(1, sweep ? 1 : -1);
+    const Point mirror(1, arc.sweep ? 1 : -1);
     Point from = u.cwiseProduct(mirror);
-    const std::vector<Point> points = arc_points(from, v.cwiseProduct(mirror), large);
+    const std::vector<Point> points = arc_points(from, v.cwiseProduct(mirror), arc.large);
     for (const Point& to : points) {
         const double handle = handle_length(from, to);
         const auto carried = [&](const Point& q) {
@@ -229,7 +233,7 @@ std::vector<CurvePath::Chain> CurvePath::chains(double tolerance) const {
             chain.smooth.back() = are_in_line(heading, start);
             cuts.clear();
             if (curved)
-                append_cubic(cuts, q[-1], q[0], q[1], q[2], tolerance);
+                append_cubic(cuts, std::span<const Point, 4>(q - 1, 4), tolerance);
             else
                 cuts.push_back(q[0]);
             for (const Point& p : cuts) chain.append(p, true);
@@ -251,21 +255,23 @@ std::vector<Ring> CurvePath::flatten(double tolerance) const {
     return rings;
 }
 
-CurvePath rectangle_path(double x, double y, double width, double height, double rx, double ry) {
-    rx = std::min(rx, width / 2);
-    ry = std::min(ry, height / 2);
+CurvePath rectangle_path(const Point& corner, const Point& size, const Point& radii) {
+    const double rx = std::min(radii.x(), size.x() / 2);
+    const double ry = std::min(radii.y(), size.y() / 2);
     CurvePath path;
-    const double right = x + width;
-    const double bottom = y + height;
+    const double x = corner.x();
+    const double y = corner.y();
+    const double right = x + size.x();
+    const double bottom = y + size.y();
     path.move_to({x + rx, y});
     path.line_to({right - rx, y});
-    path.arc_to(rx, ry, 0, false, true, {right, y + ry});
+    path.arc_to({rx, ry}, {right, y + ry});
     path.line_to({right, bottom - ry});
-    path.arc_to(rx, ry, 0, false, true, {right - rx, bottom});
+    path.arc_to({rx, ry}, {right - rx, bottom});
     path.line_to({x + rx, bottom});
-    path.arc_to(rx, ry, 0, false, true, {x, bottom - ry});
+    path.arc_to({rx, ry}, {x, bottom - ry});
     path.line_to({x, y + ry});
-    path.arc_to(rx, ry, 0, false, true, {x + rx, y});
+    path.arc_to({rx, ry}, {x + rx, y});
     path.close();
     return path;
 }
@@ -273,8 +279,8 @@ CurvePath rectangle_path(double x, double y, double width, double height, double
 CurvePath ellipse_path(const Point& centre, double rx, double ry) {
     CurvePath path;
     path.move_to(centre + Point(rx, 0));
-    path.arc_to(rx, ry, 0, false, true, centre - Point(rx, 0));
-    path.arc_to(rx, ry, 0, false, true, centre + Point(rx, 0));
+    path.arc_to({rx, ry}, centre - Point(rx, 0));
+    path.arc_to({rx, ry}, centre + Point(rx, 0));
     path.close();
     return path;
 }

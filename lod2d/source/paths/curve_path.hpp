@@ -21,6 +21,15 @@ struct Affine {
     }
 };
 
+/// Which of the arcs between two points.
+struct EllipseArc {
+    double rx = 0;
+    double ry = 0;
+    double tilt = 0;     ///< of the ellipse [rad]
+    bool large = false;  ///< longer than half of it
+    bool sweep = true;   ///< from +x to +y
+};
+
 /// Lines and cubic Bezier curves, as drawn by a pen. Other curves become cubics: parabolas exactly,
 /// arcs of ellipses within 1e-7 of their radius.
 class CurvePath {
@@ -36,10 +45,9 @@ class CurvePath {
     void line_to(const Point& p);
     void quadratic_to(const Point& control, const Point& p);
     void cubic_to(const Point& control_1, const Point& control_2, const Point& p);
-    /// An arc as in SVG: of the ellipses with these radii, turned by `tilt` [rad], through both
-    /// ends, the one that is longer than half (large) and goes from +x to +y (sweep). Radii too
-    /// small to reach are scaled up, a radius of zero draws a line.
-    void arc_to(double rx, double ry, double tilt, bool large, bool sweep, const Point& p);
+    /// An arc as in SVG, of an ellipse through both ends. Radii too small to reach are scaled up, a
+    /// radius of zero draws a line.
+    void arc_to(const EllipseArc& arc, const Point& p);
     /// Back to the start of the subpath; what follows without move_to starts there.
     /// Right after a move_to it makes a subpath of that one point, where round and square caps
     /// draw.
@@ -85,8 +93,7 @@ class CurvePath {
 };
 
 /// Shapes of SVG as paths, in its frame (y down). Rounded corners as in SVG.
-[[nodiscard]] CurvePath rectangle_path(double x, double y, double width, double height, double rx,
-                                       double ry);
+[[nodiscard]] CurvePath rectangle_path(const Point& corner, const Point& size, const Point& radii);
 [[nodiscard]] CurvePath ellipse_path(const Point& centre, double rx, double ry);
 
 }  // namespace lod2d

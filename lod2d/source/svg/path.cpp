@@ -100,7 +100,7 @@ class PathParser {
         const bool large = reader_.flag();
         reader_.skip_separator();
         const bool sweep = reader_.flag();
-        path_.arc_to(rx, ry, tilt, large, sweep, point());
+        path_.arc_to({rx, ry, tilt, large, sweep}, point());
     }
 
     [[nodiscard]] Point mirrored() const { return 2 * path_.current() - control_; }

@@ -157,8 +157,8 @@ CurvePath PlainWalk::path_of(const xml_node& node, std::string_view tag) const {
         if (!(width > 0 && height > 0)) return {};
         const double rx = length("rx", percent_of_.x()).value_or(-1);
         const double ry = length("ry", percent_of_.y()).value_or(-1);
-        return rectangle_path(x("x"), y("y"), width, height, std::max(0.0, rx < 0 ? ry : rx),
-                              std::max(0.0, ry < 0 ? rx : ry));
+        return rectangle_path({x("x"), y("y")}, {width, height},
+                              {std::max(0.0, rx < 0 ? ry : rx), std::max(0.0, ry < 0 ? rx : ry)});
     }
     if (tag == "circle") {
         const double r = length("r", diagonal).value_or(0);

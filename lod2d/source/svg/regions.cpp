@@ -52,9 +52,8 @@ class Regions {
         for (const SvgStroke& stroke : drawing.strokes) {
             const Box line = stroke.path.control_box();
             const Point pen = Point::Constant(stroke.style.width / 2);
-            CurvePath around = rectangle_path(line.low.x() - pen.x(), line.low.y() - pen.y(),
-                                              line.size().x() + stroke.style.width,
-                                              line.size().y() + stroke.style.width, 0, 0);
+            CurvePath around = rectangle_path(
+                line.low - pen, line.size() + Point::Constant(stroke.style.width), Point::Zero());
             around.transform(stroke.to_page);
             box.hold(around.control_box());
         }

@@ -23,14 +23,15 @@ double radians(double degrees) {
     return degrees * (std::numbers::pi / 180);
 }
 
-Affine from_columns(double a, double b, double c, double d, double e, double f) {
-    return {{a, c, b, d}, {e, f}};
+/// As SVG writes a matrix: column by column.
+Affine from_columns(const std::array<double, 6>& m) {
+    return {{m[0], m[2], m[1], m[3]}, {m[4], m[5]}};
 }
 
 Affine rotation(double degrees) {
     const lod::SineCosine of =
         lod::sine_cosine(std::remainder(radians(degrees), 2 * std::numbers::pi));
-    return from_columns(of.cosine, of.sine, -of.sine, of.cosine, 0, 0);
+    return from_columns({of.cosine, of.sine, -of.sine, of.cosine, 0, 0});
 }
 
 double tangent(double degrees) {
@@ -41,17 +42,17 @@ double tangent(double degrees) {
 
 Affine one_transform(std::string_view name, const std::vector<double>& v, const SvgReader& reader) {
     const std::size_t n = v.size();
-    if (name == "matrix" && n == 6) return from_columns(v[0], v[1], v[2], v[3], v[4], v[5]);
+    if (name == "matrix" && n == 6) return from_columns({v[0], v[1], v[2], v[3], v[4], v[5]});
     if (name == "translate" && (n == 1 || n == 2))
-        return from_columns(1, 0, 0, 1, v[0], n == 2 ? v[1] : 0);
+        return from_columns({1, 0, 0, 1, v[0], n == 2 ? v[1] : 0});
     if (name == "scale" && (n == 1 || n == 2))
-        return from_columns(v[0], 0, 0, n == 2 ? v[1] : v[0], 0, 0);
+        return from_columns({v[0], 0, 0, n == 2 ? v[1] : v[0], 0, 0});
     if (name == "rotate" && n == 1) return rotation(v[0]);
     if (name == "rotate" && n == 3)
-        return from_columns(1, 0, 0, 1, v[1], v[2]) * rotation(v[0]) *
-               from_columns(1, 0, 0, 1, -v[1], -v[2]);
-    if (name == "skewX" && n == 1) return from_columns(1, 0, tangent(v[0]), 1, 0, 0);
-    if (name == "skewY" && n == 1) return from_columns(1, tangent(v[0]), 0, 1, 0, 0);
+        return from_columns({1, 0, 0, 1, v[1], v[2]}) * rotation(v[0]) *
+               from_columns({1, 0, 0, 1, -v[1], -v[2]});
+    if (name == "skewX" && n == 1) return from_columns({1, 0, tangent(v[0]), 1, 0, 0});
+    if (name == "skewY" && n == 1) return from_columns({1, tangent(v[0]), 0, 1, 0, 0});
     reader.fail("matrix, translate, scale, rotate, skewX or skewY with their numbers before this");
 }
 

@@ -32,7 +32,7 @@ Body<Dim> body_of(const std::vector<Planar>& middles, const std::vector<Planar>&
 template <int Dim>
 std::vector<Contact<Dim>> contacts(const Body<Dim>& a, const Body<Dim>& b,
                                    ContactModel model = ContactModel::node_normal) {
-    return contacts_of_front<Dim>(a, b, traverse_levels(a, b).back(), model);
+    return contacts_of_front<Dim>(a, b, traverse_levels(a, b).back(), {model});
 }
 
 /// A turned body of random nodes, some of which have no surface.
@@ -133,8 +133,8 @@ TEMPLATE_TEST_CASE_SIG("a patch is what a flood over shared nodes reaches", "[fr
             for (int node = 0; node < world->tree().size(); ++node)
                 if (!world->tree().is_leaf(node)) world->carry_children(node);
         FrontModel<Dim> found;
-        modeller.model(world_a, world_b, front.pairs, ContactModel::node_normal,
-                       PointModel::radius_ratio, pair_motion(a, b, 0), found);
+        modeller.model({world_a, world_b, front.pairs}, {ContactModel::node_normal},
+                       pair_motion(a, b, 0), found);
         std::set<double> normals;
         for (const auto& [contact, behind] : found.contacts) {
             REQUIRE(behind.count == 1);

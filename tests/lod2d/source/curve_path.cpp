@@ -127,7 +127,7 @@ TEST_CASE("an arc between any two points of a circle stays on the circle", "[svg
         };
         CurvePath path;
         path.move_to(at(from));
-        path.arc_to(radius, radius, 0, by > pi, sweep, at(from + (sweep ? by : -by)));
+        path.arc_to({radius, radius, 0, by > pi, sweep}, at(from + (sweep ? by : -by)));
         double length = 0;
         const Ring ring = path.flatten(1e-6 * radius)[0];
         for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -67,51 +67,57 @@ TEST_CASE("a clip that is clipped itself cuts by both", "[svg][svg-cases]") {
     }
 }
 
+namespace {
+
+struct Said {
+    const char* body;
+    const char* words;
+};
+
+const Said not_followed[] = {
+    {"<mask id='m'><rect width='9' height='9' fill='transparent'/></mask>"
+     "<rect width='8' height='4' mask='url(#m)'/>",
+     "1 mask"},
+    {"<mask id='m'><rect width='9' height='9' fill='#ffffff00'/></mask>"
+     "<rect width='8' height='4' mask='url(#m)'/>",
+     "1 mask"},
+    {"<mask id='m'><rect width='9' height='9' fill='rgba(255,255,255,0)'/></mask>"
+     "<rect width='8' height='4' mask='url(#m)'/>",
+     "1 mask"},
+    {"<defs><rect id='u' width='9' height='9' fill='black'/></defs><mask id='m' fill='white'>"
+     "<use href='#u'/></mask><rect width='8' height='4' mask='url(#m)'/>",
+     "1 mask"},
+    {"<style>g>rect{fill:red}</style><mask id='m' maskUnits='userSpaceOnUse' x='0' y='0' "
+     "width='8' height='4'>" WHITE "</mask><rect width='8' height='4' mask='url(#m)'/>",
+     "1 mask"},
+    {STRIPE "<defs><rect id='r' width='8' height='4' clip-path='url(#a)'/></defs>"
+            "<clipPath id='c'><use href='#r'/></clipPath><rect width='8' height='4' "
+            "clip-path='url(#c)'/>",
+     "1 clip of a clip"},
+    {STRIPE "<style>.k{clip-path:url(#c)}</style><clipPath id='c' clip-path='url(#a)'><rect "
+            "width='40' height='4'/></clipPath><rect class='k' width='8' height='4'/>",
+     "1 clip of a clip"},
+    {STRIPE "<clipPath id='c' clip-path='url(#a)'><rect width='40' height='4'/></clipPath>"
+            "<symbol id='s' clip-path='url(#c)'><rect width='8' height='4'/></symbol>"
+            "<use href='#s'/>",
+     "1 clip of a clip"},
+    {"<symbol id='s' viewBox='0 0 8 4' preserveAspectRatio='xMidYMid slice'><rect width='8' "
+     "height='4'/></symbol><use href='#s' width='16' height='8'/>",
+     "<symbol> that it uses is cut off by a slice"},
+    {"<symbol id='s'><rect width='8' height='4'/></symbol><use href='#s' width='8' "
+     "height='4'/>",
+     "has a size and no viewBox"},
+    {"<marker id='m' markerUnits='userSpaceOnUse' viewBox='0 0 8 4' markerWidth='8' "
+     "markerHeight='8'><rect width='8' height='4'/></marker><path d='M9 5h0' "
+     "marker-start='url(#m)'/>",
+     "of another shape than its viewBox"},
+    {"<style>:root{transform:scale(1)}</style>" SEEN, "transform of its outermost <svg>"},
+};
+
+}  // namespace
+
 TEST_CASE("a mask, clip or window that is not followed is said", "[svg][svg-cases]") {
-    struct Said {
-        const char* body;
-        const char* words;
-    };
-    const Said cases[] = {
-        {"<mask id='m'><rect width='9' height='9' fill='transparent'/></mask>"
-         "<rect width='8' height='4' mask='url(#m)'/>",
-         "1 mask"},
-        {"<mask id='m'><rect width='9' height='9' fill='#ffffff00'/></mask>"
-         "<rect width='8' height='4' mask='url(#m)'/>",
-         "1 mask"},
-        {"<mask id='m'><rect width='9' height='9' fill='rgba(255,255,255,0)'/></mask>"
-         "<rect width='8' height='4' mask='url(#m)'/>",
-         "1 mask"},
-        {"<defs><rect id='u' width='9' height='9' fill='black'/></defs><mask id='m' fill='white'>"
-         "<use href='#u'/></mask><rect width='8' height='4' mask='url(#m)'/>",
-         "1 mask"},
-        {"<style>g>rect{fill:red}</style><mask id='m' maskUnits='userSpaceOnUse' x='0' y='0' "
-         "width='8' height='4'>" WHITE "</mask><rect width='8' height='4' mask='url(#m)'/>",
-         "1 mask"},
-        {STRIPE "<defs><rect id='r' width='8' height='4' clip-path='url(#a)'/></defs>"
-                "<clipPath id='c'><use href='#r'/></clipPath><rect width='8' height='4' "
-                "clip-path='url(#c)'/>",
-         "1 clip of a clip"},
-        {STRIPE "<style>.k{clip-path:url(#c)}</style><clipPath id='c' clip-path='url(#a)'><rect "
-                "width='40' height='4'/></clipPath><rect class='k' width='8' height='4'/>",
-         "1 clip of a clip"},
-        {STRIPE "<clipPath id='c' clip-path='url(#a)'><rect width='40' height='4'/></clipPath>"
-                "<symbol id='s' clip-path='url(#c)'><rect width='8' height='4'/></symbol>"
-                "<use href='#s'/>",
-         "1 clip of a clip"},
-        {"<symbol id='s' viewBox='0 0 8 4' preserveAspectRatio='xMidYMid slice'><rect width='8' "
-         "height='4'/></symbol><use href='#s' width='16' height='8'/>",
-         "<symbol> that it uses is cut off by a slice"},
-        {"<symbol id='s'><rect width='8' height='4'/></symbol><use href='#s' width='8' "
-         "height='4'/>",
-         "has a size and no viewBox"},
-        {"<marker id='m' markerUnits='userSpaceOnUse' viewBox='0 0 8 4' markerWidth='8' "
-         "markerHeight='8'><rect width='8' height='4'/></marker><path d='M9 5h0' "
-         "marker-start='url(#m)'/>",
-         "of another shape than its viewBox"},
-        {"<style>:root{transform:scale(1)}</style>" SEEN, "transform of its outermost <svg>"},
-    };
-    for (const Said& one : cases) {
+    for (const Said& one : not_followed) {
         INFO(one.body);
         const Shape shape = shape_of_body(one.body);
         INFO(remarks_of(shape));

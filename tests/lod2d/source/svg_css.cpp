@@ -93,53 +93,58 @@ TEST_CASE("places and lengths count in every unit that the document decides", "[
     check_unsaid(cases);
 }
 
+namespace {
+
+struct Said {
+    const char* body;
+    const char* words;
+};
+
+const Said decided_elsewhere[] = {
+    {SEEN "<rect x='4' y='4' width='20vw' height='10'/>", "width 20vw is in vw"},
+    {SEEN "<rect x='4' y='4' width='1' height='1vh'/>", "height 1vh is in vh"},
+    {SEEN "<circle cx='8' cy='6' r='10vmin'/>", "r 10vmin is in vmin"},
+    {SEEN "<rect x='4' y='4' width='2ch' height='10'/>", "in ch"},
+    {SEEN "<rect x='4' y='4' width='1svw' height='10'/>", "in svw"},
+    {SEEN "<rect x='4' y='4' width='calc(1px*2)' height='1'/>", "computes width"},
+    {"<style>svg{font-size:4px}.z{width:2rem;height:1px}</style>" SEEN
+     "<rect class='z' x='4' y='4'/>",
+     "in rem"},
+    {"<rect x='4' y='4' width='8' height='4' style='clip-path:inset(1px)'/>", "inset(1px)"},
+    {"<rect x='4' y='4' width='8' height='4' clip-path='circle(2px at 5px 5px)'/>", "circle("},
+    {"<style>rect{clip-path:polygon(0 0,8px 0,8px 4px)}</style>" SEEN, "polygon("},
+    {"<rect x='4' y='4' width='8' height='4' style='-webkit-clip-path:ellipse(2px 1px)'/>",
+     "ellipse("},
+    {"<rect x='4' y='4' width='8' height='4' style='clip-path:path(\"M0 0h1v1z\")'/>", "path("},
+    {"<rect x='4' y='4' width='8' height='4' style='clip-path:fill-box'/>", "fill-box"},
+    {"<rect x='4' y='4' width='8' height='4' style='mask:linear-gradient(#000,#fff)'/>",
+     "linear-gradient("},
+    {"<rect x='4' y='4' width='8' height='4' style='mask-image:url(#m)'/>", "mask-image"},
+    {"<rect x='4' y='4' width='8' height='4' style='-webkit-mask-image:url(#m)'/>", "mask-image"},
+    {"<rect x='4' y='4' width='8' height='4' style='transform:rotateX(60deg)'/>", "rotatex("},
+    {"<rect x='4' y='4' width='8' height='4' style='transform:translate(1em,0)'/>",
+     "translate(1em,0)"},
+    {"<symbol id='s'/><rect x='4' y='4' width='8' height='4' "
+     "style='transform:translate(10%,0)'/>",
+     "translate(10%,0)"},
+    {"<style>.t{transform:scale(1)}</style><rect class='t' x='2' y='2' width='4' height='2' "
+     "transform='scale(2)'/>",
+     "transform of their own"},
+    {"<style>.u{x:9px}</style><defs><rect id='r' x='4' y='4' width='8' height='4'/></defs>"
+     "<use class='u' href='#r'/>",
+     "sets x, which is not followed here for <use>"},
+    {"<path d='M4 4h8v4h-8z' style='d:none'/>", "sets d"},
+    {"<svg style='width:30px'>" SEEN "</svg>", "its <svg> has a width in its style"},
+    {"<style>@namespace url(http://www.w3.org/1999/xhtml);rect{fill:none}</style>" SEEN,
+     "another namespace"},
+    {"<style>@namespace x url(http://www.w3.org/1999/xlink);[x|href]{fill:none}</style>" SEEN,
+     "x|"},
+};
+
+}  // namespace
+
 TEST_CASE("what of CSS a window, a font or a box decides is said", "[svg][svg-cases]") {
-    struct Said {
-        const char* body;
-        const char* words;
-    };
-    const Said cases[] = {
-        {SEEN "<rect x='4' y='4' width='20vw' height='10'/>", "width 20vw is in vw"},
-        {SEEN "<rect x='4' y='4' width='1' height='1vh'/>", "height 1vh is in vh"},
-        {SEEN "<circle cx='8' cy='6' r='10vmin'/>", "r 10vmin is in vmin"},
-        {SEEN "<rect x='4' y='4' width='2ch' height='10'/>", "in ch"},
-        {SEEN "<rect x='4' y='4' width='1svw' height='10'/>", "in svw"},
-        {SEEN "<rect x='4' y='4' width='calc(1px*2)' height='1'/>", "computes width"},
-        {"<style>svg{font-size:4px}.z{width:2rem;height:1px}</style>" SEEN
-         "<rect class='z' x='4' y='4'/>",
-         "in rem"},
-        {"<rect x='4' y='4' width='8' height='4' style='clip-path:inset(1px)'/>", "inset(1px)"},
-        {"<rect x='4' y='4' width='8' height='4' clip-path='circle(2px at 5px 5px)'/>", "circle("},
-        {"<style>rect{clip-path:polygon(0 0,8px 0,8px 4px)}</style>" SEEN, "polygon("},
-        {"<rect x='4' y='4' width='8' height='4' style='-webkit-clip-path:ellipse(2px 1px)'/>",
-         "ellipse("},
-        {"<rect x='4' y='4' width='8' height='4' style='clip-path:path(\"M0 0h1v1z\")'/>", "path("},
-        {"<rect x='4' y='4' width='8' height='4' style='clip-path:fill-box'/>", "fill-box"},
-        {"<rect x='4' y='4' width='8' height='4' style='mask:linear-gradient(#000,#fff)'/>",
-         "linear-gradient("},
-        {"<rect x='4' y='4' width='8' height='4' style='mask-image:url(#m)'/>", "mask-image"},
-        {"<rect x='4' y='4' width='8' height='4' style='-webkit-mask-image:url(#m)'/>",
-         "mask-image"},
-        {"<rect x='4' y='4' width='8' height='4' style='transform:rotateX(60deg)'/>", "rotatex("},
-        {"<rect x='4' y='4' width='8' height='4' style='transform:translate(1em,0)'/>",
-         "translate(1em,0)"},
-        {"<symbol id='s'/><rect x='4' y='4' width='8' height='4' "
-         "style='transform:translate(10%,0)'/>",
-         "translate(10%,0)"},
-        {"<style>.t{transform:scale(1)}</style><rect class='t' x='2' y='2' width='4' height='2' "
-         "transform='scale(2)'/>",
-         "transform of their own"},
-        {"<style>.u{x:9px}</style><defs><rect id='r' x='4' y='4' width='8' height='4'/></defs>"
-         "<use class='u' href='#r'/>",
-         "sets x, which is not followed here for <use>"},
-        {"<path d='M4 4h8v4h-8z' style='d:none'/>", "sets d"},
-        {"<svg style='width:30px'>" SEEN "</svg>", "its <svg> has a width in its style"},
-        {"<style>@namespace url(http://www.w3.org/1999/xhtml);rect{fill:none}</style>" SEEN,
-         "another namespace"},
-        {"<style>@namespace x url(http://www.w3.org/1999/xlink);[x|href]{fill:none}</style>" SEEN,
-         "x|"},
-    };
-    for (const Said& one : cases) {
+    for (const Said& one : decided_elsewhere) {
         INFO(one.body);
         const Shape shape = shape_of_body(one.body);
         INFO(remarks_of(shape));

@@ -52,6 +52,9 @@ TEST_CASE("pens have joins, caps, limits and dashes", "[svg][svg-cases]") {
          (24 * 24 - 16 * 16 - 4) / 576.0},
     };
     check(cases, 1e-5);
+}
+
+TEST_CASE("round pens end in half circles", "[svg][svg-cases]") {
     const Case round[] = {
         {"<path d='M8 8H24' fill='none' stroke='#000' stroke-width='8' stroke-linecap='round'/>",
          (128 + 16 * pi) / 576},
@@ -81,43 +84,49 @@ TEST_CASE("strokes beside fills are left out and said, or taken in", "[svg][svg-
     CHECK(all.remarks.empty());
 }
 
+namespace {
+
+struct Said {
+    const char* body;
+    const char* words;
+};
+
+const Said left_out[] = {
+    {SEEN "<text x='4'>A</text><text>B</text><image href='x.png' width='9' height='9'/>",
+     "left out 2 texts, 1 image"},
+    {SEEN "<path d='M0 0H9' stroke='red' fill='none'/>", "1 unfilled stroke"},
+    {"<filter id='f'/>" SEEN "<rect width='1' height='1' x='5' y='5' style='filter:url(#f)'/>",
+     "1 filter"},
+    {"<linearGradient id='n'><stop/><stop offset='1' stop-opacity='0'/></linearGradient><rect "
+     "width='8' height='4' fill='url(#n)'/>",
+     "1 gradient that fades"},
+    {"<pattern id='p' width='2' height='2'><rect width='1' height='1'/></pattern><rect "
+     "width='8' height='4' fill='url(#p)'/>",
+     "1 pattern"},
+    {"<mask id='m'><rect width='9' height='9'/><rect fill='#fff' width='9' "
+     "height='9'/></mask><rect width='8' height='4' mask='url(#m)'/>",
+     "1 mask"},
+    {"<style>.a{fill:var(--q)}</style>" SEEN "<rect class='a' x='4' y='4' width='1' "
+     "height='1'/>",
+     "var(--q)"},
+    {"<style>@media (min-width:9px){.a{fill:none}}</style>" SEEN, "@media (min-width:9px)"},
+    {"<style>@supports (x:y){.a{fill:none}}</style>" SEEN, "@supports"},
+    {"<style>@import 'a.css';</style>" SEEN, "imports another"},
+    {"<style>rect:is(.q){fill:none}</style>" SEEN, ":is"},
+    {"<style>rect{transform-origin:50% 50%}</style>" SEEN, "transform-origin"},
+    {"<rect x='4' y='4' width='8' height='4'><animate attributeName='x' to='9'/></rect>",
+     "1 animation"},
+    {"<script>1</script>" SEEN, "1 script"},
+    {SEEN "<use href='other.svg#a'/>", "another file"},
+    {SEEN "<path d='M5 5h5' pathLength='5' stroke='red' stroke-dasharray='1'/>", "pathLength"},
+    {SEEN "<foreignObject width='9' height='9'/>", "1 foreignObject"},
+    {"<rect x='30' y='4' width='20' height='10'/>", "1 shape lies in part outside its page"},
+};
+
+}  // namespace
+
 TEST_CASE("what is left out, or not followed, is said and refused strictly", "[svg][svg-cases]") {
-    struct Said {
-        const char* body;
-        const char* words;
-    };
-    const Said cases[] = {
-        {SEEN "<text x='4'>A</text><text>B</text><image href='x.png' width='9' height='9'/>",
-         "left out 2 texts, 1 image"},
-        {SEEN "<path d='M0 0H9' stroke='red' fill='none'/>", "1 unfilled stroke"},
-        {"<filter id='f'/>" SEEN "<rect width='1' height='1' x='5' y='5' style='filter:url(#f)'/>",
-         "1 filter"},
-        {"<linearGradient id='n'><stop/><stop offset='1' stop-opacity='0'/></linearGradient><rect "
-         "width='8' height='4' fill='url(#n)'/>",
-         "1 gradient that fades"},
-        {"<pattern id='p' width='2' height='2'><rect width='1' height='1'/></pattern><rect "
-         "width='8' height='4' fill='url(#p)'/>",
-         "1 pattern"},
-        {"<mask id='m'><rect width='9' height='9'/><rect fill='#fff' width='9' "
-         "height='9'/></mask><rect width='8' height='4' mask='url(#m)'/>",
-         "1 mask"},
-        {"<style>.a{fill:var(--q)}</style>" SEEN "<rect class='a' x='4' y='4' width='1' "
-         "height='1'/>",
-         "var(--q)"},
-        {"<style>@media (min-width:9px){.a{fill:none}}</style>" SEEN, "@media (min-width:9px)"},
-        {"<style>@supports (x:y){.a{fill:none}}</style>" SEEN, "@supports"},
-        {"<style>@import 'a.css';</style>" SEEN, "imports another"},
-        {"<style>rect:is(.q){fill:none}</style>" SEEN, ":is"},
-        {"<style>rect{transform-origin:50% 50%}</style>" SEEN, "transform-origin"},
-        {"<rect x='4' y='4' width='8' height='4'><animate attributeName='x' to='9'/></rect>",
-         "1 animation"},
-        {"<script>1</script>" SEEN, "1 script"},
-        {SEEN "<use href='other.svg#a'/>", "another file"},
-        {SEEN "<path d='M5 5h5' pathLength='5' stroke='red' stroke-dasharray='1'/>", "pathLength"},
-        {SEEN "<foreignObject width='9' height='9'/>", "1 foreignObject"},
-        {"<rect x='30' y='4' width='20' height='10'/>", "1 shape lies in part outside its page"},
-    };
-    for (const Said& one : cases) {
+    for (const Said& one : left_out) {
         INFO(one.body);
         const Shape shape = shape_of_body(one.body);
         INFO(remarks_of(shape));

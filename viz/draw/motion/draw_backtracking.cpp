@@ -152,7 +152,7 @@ Figure inappropriate_backtracking(const Actor<Dim>& a, const Actor<Dim>& b,
         story.found, view,
         "*t_0* = " + time_words(story.found.time) + ": " + Sight<Dim>::ball_word + "s overlap");
     add_level(found, story.found, level);
-    add_meeting_nodes<Dim>(found, story.found.a.body, story.found.b.body, 0, 1,
+    add_meeting_nodes<Dim>(found, {story.found.a.body, 0}, {story.found.b.body, 1},
                            meeting_pairs(story.found, level));
     add_names(found, story.found.a, story.found.b);
 

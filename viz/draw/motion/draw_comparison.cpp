@@ -142,13 +142,13 @@ Figure film_frame(const ComparedRuns<Dim>& film, double time) {
         Panel& panel = figure.panels.emplace_back(blank_panel<Dim>(film.view));
         panel.title = run.name;
         const Bodies<Dim> bodies = bodies_at(run, time);
-        add_trails(panel, run, from, time, bodies);
+        add_trails(panel, run, bodies, {.from = from, .until = time});
         add_bodies(panel, run, bodies);
         add_reference_outlines(panel, film.reference, right);
     }
     Panel& panel = figure.panels.emplace_back(blank_panel<Dim>(film.view));
     panel.title = film.reference.name;
-    add_trails(panel, film.reference, from, time, right);
+    add_trails(panel, film.reference, right, {.from = from, .until = time});
     add_bodies(panel, film.reference, right);
     return figure;
 }

@@ -140,9 +140,10 @@ void add_detection(Panel& panel, const ImpactFilm<Dim>& film, std::size_t r,
     if (shown[nodes] > 0) {
         for (const lod::PairRecord& pair : record.pairs) {
             const auto meeting = nodes_of(record, pair);
-            add_meeting_nodes<Dim>(panel, bodies[static_cast<std::size_t>(pair.bodies.a)],
-                                   bodies[static_cast<std::size_t>(pair.bodies.b)], pair.bodies.a,
-                                   pair.bodies.b, meeting, shown[nodes]);
+            add_meeting_nodes<Dim>(panel,
+                                   {bodies[static_cast<std::size_t>(pair.bodies.a)], pair.bodies.a},
+                                   {bodies[static_cast<std::size_t>(pair.bodies.b)], pair.bodies.b},
+                                   meeting, shown[nodes]);
         }
     }
     const auto touching = contacts_of(record);
@@ -167,7 +168,7 @@ Panel run_panel(const ImpactFilm<Dim>& film, std::size_t r, const Moment& moment
     const auto until = static_cast<std::size_t>(past / run.time_step + 1e-9);
     if (opacity == 1 && impact >= 0 && moment.time > impact)
         add_past(panel, run, std::min(until, run.instants.size() - 1), {.most_ghosts = 4});
-    add_trails(panel, run, 0, moment.time, bodies, opacity);
+    add_trails(panel, run, bodies, {.from = 0, .until = moment.time, .opacity = opacity});
     const double clear = (1 - Sight<Dim>::see_through) * shown[nodes];  // to see the nodes within
     add_bodies(panel, run, bodies, opacity * (1 - clear));
     if (film.impacts[r] < 0) return panel;
@@ -179,8 +180,8 @@ Panel run_panel(const ImpactFilm<Dim>& film, std::size_t r, const Moment& moment
             lod::Body<Dim> body = bodies[b];
             body.velocity = run.instants[after].bodies[b].velocity;
             if (!body.is_static())
-                add_velocity(panel, body, static_cast<int>(b), film.metres_per_speed,
-                             shown[velocities]);
+                add_velocity<Dim>(panel, {body, static_cast<int>(b)}, film.metres_per_speed,
+                                  shown[velocities]);
         }
     }
     return panel;
@@ -226,19 +227,21 @@ std::vector<lod::Body<Dim>> bodies_at(const Run<Dim>& run, double time) {
 }
 
 template <int Dim>
-void add_trails(Panel& panel, const Run<Dim>& run, double from, double until,
-                const std::vector<lod::Body<Dim>>& bodies, double opacity) {
+void add_trails(Panel& panel, const Run<Dim>& run, const std::vector<lod::Body<Dim>>& bodies,
+                const Trail& trail) {
     const auto first =
-        static_cast<std::size_t>(std::max(0.0, std::ceil(from / run.time_step - 1e-9)));
+        static_cast<std::size_t>(std::max(0.0, std::ceil(trail.from / run.time_step - 1e-9)));
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         if (bodies[b].is_static()) continue;
         std::vector<lod::Vector<Dim>> path;
-        for (std::size_t i = first; i < run.instants.size() && run.instants[i].time <= until; ++i)
+        for (std::size_t i = first; i < run.instants.size() && run.instants[i].time <= trail.until;
+             ++i)
             path.push_back(run.instants[i].bodies[b].position);
         path.push_back(bodies[b].position);
-        add_line<Dim>(panel,
-                      {.role = Role::trajectory, .body = static_cast<int>(b), .opacity = opacity},
-                      path, 0);
+        add_line<Dim>(
+            panel,
+            {.role = Role::trajectory, .body = static_cast<int>(b), .opacity = trail.opacity}, path,
+            0);
     }
 }
 
@@ -269,10 +272,8 @@ Animation impact_motion(const std::vector<Run<Dim>>& runs, const ImpactMotion& c
 
 template std::vector<lod::Body<2>> bodies_at<2>(const Run<2>&, double);
 template std::vector<lod::Body<3>> bodies_at<3>(const Run<3>&, double);
-template void add_trails<2>(Panel&, const Run<2>&, double, double, const std::vector<lod::Body<2>>&,
-                            double);
-template void add_trails<3>(Panel&, const Run<3>&, double, double, const std::vector<lod::Body<3>>&,
-                            double);
+template void add_trails<2>(Panel&, const Run<2>&, const std::vector<lod::Body<2>>&, const Trail&);
+template void add_trails<3>(Panel&, const Run<3>&, const std::vector<lod::Body<3>>&, const Trail&);
 template Animation impact_motion<2>(const std::vector<Run<2>>&, const ImpactMotion&,
                                     const Sight<2>::Viewpoint&);
 template Animation impact_motion<3>(const std::vector<Run<3>>&, const ImpactMotion&,

@@ -51,9 +51,16 @@ template <int Dim>
 template <int Dim>
 [[nodiscard]] std::vector<lod::Body<Dim>> bodies_at(const Run<Dim>& run, double time);
 
-/// The way of every moving body from one time to another [s], ending where the bodies stand.
+/// Which part of the ways is drawn.
+struct Trail {
+    double from = 0;   ///< [s]
+    double until = 0;  ///< [s]
+    double opacity = 1;
+};
+
+/// The way of every moving body, ending where the bodies stand.
 template <int Dim>
-void add_trails(Panel& panel, const Run<Dim>& run, double from, double until,
-                const std::vector<lod::Body<Dim>>& bodies, double opacity = 1);
+void add_trails(Panel& panel, const Run<Dim>& run, const std::vector<lod::Body<Dim>>& bodies,
+                const Trail& trail);
 
 }  // namespace viz

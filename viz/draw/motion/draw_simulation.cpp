@@ -111,7 +111,8 @@ template <int Dim>
 Panel scene_panel(const Stage<Dim>& stage, double time) {
     const std::vector<lod::Body<Dim>> bodies = bodies_at(*stage.run, time);
     Panel panel = blank_panel<Dim>(stage.view);
-    add_trails(panel, *stage.run, std::max(0.0, time - stage.choice.trail), time, bodies);
+    add_trails(panel, *stage.run, bodies,
+               {.from = std::max(0.0, time - stage.choice.trail), .until = time});
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         const Look<Dim> look = b < stage.run->looks.size() ? stage.run->looks[b] : Look<Dim>{};
         add_body<Dim>(panel, {look, bodies[b]}, static_cast<int>(b));

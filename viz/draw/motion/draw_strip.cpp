@@ -83,7 +83,7 @@ void add_velocities(Panel& panel, const Run<Dim>& run, std::size_t instant, doub
     const SpinWords spin = bodies.size() <= 3 ? SpinWords::shown : SpinWords::left_out;
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!bodies[i].is_static())
-            add_velocity(panel, bodies[i], static_cast<int>(i), scale, 1, spin);
+            add_velocity<Dim>(panel, {bodies[i], static_cast<int>(i)}, scale, 1, spin);
 }
 
 /// The middle of all that the first instant shows, on the panel.
@@ -146,9 +146,9 @@ Panel detection_panel(const Run<Dim>& run, const Scales<Dim>& scales) {
     for (const lod::PairRecord& pair : record.pairs) {
         const auto nodes = nodes_of(record, pair);
         const auto& bodies = run.instants[instant].bodies;
-        add_meeting_nodes<Dim>(panel, bodies[static_cast<std::size_t>(pair.bodies.a)],
-                               bodies[static_cast<std::size_t>(pair.bodies.b)], pair.bodies.a,
-                               pair.bodies.b, nodes);
+        add_meeting_nodes<Dim>(
+            panel, {bodies[static_cast<std::size_t>(pair.bodies.a)], pair.bodies.a},
+            {bodies[static_cast<std::size_t>(pair.bodies.b)], pair.bodies.b}, nodes);
     }
     add_impulses(panel, run, instant, scales.metres_per_impulse);
     add_contact_points<Dim>(panel, contacts_of(record));

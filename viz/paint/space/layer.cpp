@@ -21,13 +21,13 @@ double doubled_area(const Corner& a, const Corner& b, const Corner& c) {
 
 }  // namespace
 
-SurfaceLayer::SurfaceLayer(const Facets& facets, const Eye& eye, const Vector3& light, double line,
-                           int height, int samples)
+SurfaceLayer::SurfaceLayer(const Facets& facets, const Eye& eye, const Vector3& light,
+                           const Grain& grain)
     : surface_(*facets.surface),
-      samples_(samples),
+      samples_(grain.samples),
       perspective_(eye.perspective),
-      half_line_(line * samples / 2),
-      lift_(2.5 * line * eye.metres_per_pixel) {
+      half_line_(grain.line * grain.samples / 2),
+      lift_(2.5 * grain.line * eye.metres_per_pixel) {
     lod::Matrix<3> R;
     for (int axis = 0; axis < 3; ++axis)
         R.set_col(axis, vector3(facets.axes[static_cast<std::size_t>(axis)]));
@@ -39,14 +39,14 @@ SurfaceLayer::SurfaceLayer(const Facets& facets, const Eye& eye, const Vector3& 
         const Point p = eye.pixel(seen);
         const bool shown =
             seen.z() > least && std::abs(p.x) < off_screen && std::abs(p.y) < off_screen;
-        corners_.push_back({samples * p.x, samples * p.y, shown ? seen.z() : nowhere});
+        corners_.push_back({samples_ * p.x, samples_ * p.y, shown ? seen.z() : nowhere});
     }
     // The light in the body's frame, where the normals are.
     const Vector3 world_light =
         light.x() * eye.axes.right + light.y() * eye.axes.up + light.z() * eye.axes.forward;
     find_facing(R.transpose() * world_light);
     find_segments();
-    sort_into_bands(height);
+    sort_into_bands(grain.height);
 }
 
 void SurfaceLayer::find_facing(const Vector3& local_light) {

@@ -17,10 +17,16 @@ class SurfaceLayer {
     };
     static constexpr float on_line = 2;
 
-    /// `light`: unit, in the eye's frame. `line`: width in pixels. Samples: so many along each side
-    /// of a pixel.
-    SurfaceLayer(const Facets& facets, const Eye& eye, const lod::Vector<3>& light, double line,
-                 int height, int samples);
+    /// How finely a surface is drawn.
+    struct Grain {
+        double line = 1;  ///< width [pixels]
+        int height = 0;   ///< of the picture [pixels]
+        int samples = 1;  ///< along each side of a pixel
+    };
+
+    /// `light`: unit, in the eye's frame.
+    SurfaceLayer(const Facets& facets, const Eye& eye, const lod::Vector<3>& light,
+                 const Grain& grain);
 
     /// Draws the rows from `first_row`, as many as a band has; says whether the surface is there.
     bool draw_band(int first_row);

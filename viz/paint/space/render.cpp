@@ -191,8 +191,9 @@ class Painter {
             const double opacity = facets.style.opacity;  // lines of a clear body stay strong
             coats_.push_back({Shades(look.ink, choice.theme, false), how.fill * opacity,
                               how.line * std::sqrt(opacity)});
-            layers_.emplace_back(facets, eye_, light_, how.width * choice.line, choice.height,
-                                 samples);
+            layers_.emplace_back(
+                facets, eye_, light_,
+                SurfaceLayer::Grain{how.width * choice.line, choice.height, samples});
         }
     }
 
