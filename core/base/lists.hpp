@@ -22,6 +22,7 @@ struct Range {
     std::int32_t count = 0;
     friend bool operator==(const Range&, const Range&) = default;
 
+    /// That part of a list. Requires: the list has it.
     template <class T>
     [[nodiscard]] std::span<const T> of(std::span<const T> list) const {
         return list.subspan(at(first), at(count));
