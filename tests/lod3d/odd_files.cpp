@@ -3,6 +3,7 @@
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/lod3d/solid/solid.hpp"
 #include "lodlab/lod3d/source/load_mesh.hpp"
+#include "lodlab/lod3d/source/mesh_readers.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
 

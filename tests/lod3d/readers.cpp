@@ -3,6 +3,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/source/load_mesh.hpp"
+#include "lodlab/lod3d/source/mesh_readers.hpp"
 #include "lodlab/lod3d/source/text_words.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
