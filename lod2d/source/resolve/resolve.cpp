@@ -35,8 +35,9 @@ SvgScript receive_script(lod::ChildProcess& child) {
     return script;
 }
 
-/// By a child process: drawings can be written on which Cairo never ends.
+/// By a child process, as a rule: drawings can be written on which Cairo never ends.
 SvgScript rendered(const std::string& name, const PreparedSvg& svg, const SvgSettings& settings) {
+    if (!settings.in_child) return render_svg(name, svg);
     lod::ChildProcess child(
         {"cannot read " + name, "librsvg"}, {settings.most_memory, settings.most_seconds},
         [&](lod::ChildPipe& pipe) { send_script(pipe, render_svg(name, svg)); });
