@@ -31,12 +31,12 @@ void BoxTree<Dim>::build(std::span<const Box<Dim>> boxes, std::span<std::size_t>
     for (int d = 1; d < Dim; ++d)
         if (centres.size()[d] > centres.size()[axis]) axis = d;
     const std::size_t half = chosen.size() / 2;
-    std::ranges::nth_element(chosen, chosen.begin() + static_cast<std::ptrdiff_t>(half),
-                             [&](std::size_t i, std::size_t k) {
-                                 const double at_i = boxes[i].centre()[axis];
-                                 const double at_k = boxes[k].centre()[axis];
-                                 return at_i < at_k || (at_i == at_k && i < k);
-                             });
+    std::nth_element(chosen.begin(), chosen.begin() + static_cast<std::ptrdiff_t>(half),
+                     chosen.end(), [&](std::size_t i, std::size_t k) {
+                         const double at_i = boxes[i].centre()[axis];
+                         const double at_k = boxes[k].centre()[axis];
+                         return at_i < at_k || (at_i == at_k && i < k);
+                     });
     build(boxes, chosen.first(half));
     nodes_[place].second = nodes_.size();
     build(boxes, chosen.subspan(half));
