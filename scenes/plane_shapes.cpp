@@ -7,6 +7,7 @@
 #include "lodlab/lod2d/shape/overlap.hpp"
 #include "lodlab/lod2d/source/load.hpp"
 #include "lodlab/lod3d/source/file_mesh.hpp"
+#include "lodlab/scenes/builder_choice.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/raise.hpp"
 #include "lodlab/scenes/scene.hpp"
@@ -77,13 +78,7 @@ PlaneShapes::Shape PlaneShapes::half_space() {
 }
 
 PlaneShapes::Settings PlaneShapes::settings(const TreeChoice& choice) {
-    Settings settings;
-    if (!choice.builder.empty())
-        settings.builder = lod::chosen<lod2d::Builder>(choice.builder, "builder of circle trees");
-    if (choice.branching) settings.branching = *choice.branching;
-    if (choice.depth) settings.depth = *choice.depth;
-    if (choice.error) settings.least_protrusion = *choice.error;
-    if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
+    const Settings settings = settings_of<Settings>(choice, "builder of circle trees");
     check_effort(choice, false);
     return settings;
 }
@@ -138,17 +133,11 @@ bool PlaneShapes::touch(const Border& a, const lod::Body<2>& body_a, const Borde
 }
 
 std::vector<GeneratorNote> PlaneShapes::generators() {
-    std::vector<GeneratorNote> notes;
-    for (const lod2d::Generator& one : lod2d::generators())
-        notes.push_back({std::string(one.name), one.usage(), std::string(one.description)});
-    return notes;
+    return notes_of(lod2d::generators());
 }
 
 std::vector<std::string_view> PlaneShapes::builders() {
-    std::vector<std::string_view> names{lod::name_of(Settings{}.builder)};
-    for (const lod2d::Builder builder : lod::choices<lod2d::Builder>())
-        if (builder != Settings{}.builder) names.push_back(lod::name_of(builder));
-    return names;
+    return builder_names<Settings>();
 }
 
 }  // namespace scenes

@@ -8,6 +8,7 @@
 #include "lodlab/lod3d/solid/generators.hpp"
 #include "lodlab/lod3d/solid/surface.hpp"
 #include "lodlab/lod3d/source/load_mesh.hpp"
+#include "lodlab/scenes/builder_choice.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/raise.hpp"
 #include "lodlab/scenes/scene.hpp"
@@ -80,13 +81,7 @@ SpaceShapes::Shape SpaceShapes::half_space() {
 }
 
 SpaceShapes::Settings SpaceShapes::settings(const TreeChoice& choice) {
-    Settings settings;
-    if (!choice.builder.empty())
-        settings.builder = lod::chosen<lod3d::Builder>(choice.builder, "builder of sphere trees");
-    if (choice.branching) settings.branching = *choice.branching;
-    if (choice.depth) settings.depth = *choice.depth;
-    if (choice.error) settings.least_protrusion = *choice.error;
-    if (choice.most_nodes) settings.most_nodes = *choice.most_nodes;
+    Settings settings = settings_of<Settings>(choice, "builder of sphere trees");
     check_effort(choice, settings.builder == lod3d::Builder::cover);
     if (choice.effort) settings.effort = *choice.effort;
     return settings;
@@ -156,17 +151,11 @@ bool SpaceShapes::touch(const Border& a, const lod::Body<3>& body_a, const Borde
 }
 
 std::vector<GeneratorNote> SpaceShapes::generators() {
-    std::vector<GeneratorNote> notes;
-    for (const lod3d::Generator& one : lod3d::generators())
-        notes.push_back({std::string(one.name), one.usage(), std::string(one.description)});
-    return notes;
+    return notes_of(lod3d::generators());
 }
 
 std::vector<std::string_view> SpaceShapes::builders() {
-    std::vector<std::string_view> names{lod::name_of(Settings{}.builder)};
-    for (const lod3d::Builder builder : lod::choices<lod3d::Builder>())
-        if (builder != Settings{}.builder) names.push_back(lod::name_of(builder));
-    return names;
+    return builder_names<Settings>();
 }
 
 int dimension_of(const std::string& spec) {
