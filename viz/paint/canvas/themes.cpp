@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <string_view>
 #include <utility>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/from_chars.hpp"
 
 namespace viz {
 namespace {
@@ -16,11 +16,12 @@ namespace {
 /// "rgb(100%,50%,0%)" as "#ff8000".
 std::string hex(std::string_view rgb) {
     std::string text = "#";
-    std::string numbers(rgb.substr(4));
-    const char* at = numbers.c_str();
+    const char* at = rgb.data() + 4;
     for (int channel = 0; channel < 3; ++channel) {
-        char* end = nullptr;
-        const long value = std::lround(std::strtod(at, &end) * 255 / 100);
+        while (*at == ' ') ++at;
+        double share = 0;
+        const char* const end = lod::from_chars(at, rgb.data() + rgb.size(), share).ptr;
+        const long value = std::lround(share * 255 / 100);
         char digits[8];
         std::snprintf(digits, sizeof digits, "%02lx", std::clamp(value, 0L, 255L));
         text += digits;
