@@ -75,6 +75,11 @@ ONE_SOURCE = {
 WITHOUT_SYSTEM = ["core", "lod2d/shape", "lod2d/builder", "lod3d/mesh", "lod3d/solid", "lod3d/builder", "viz/figure"]
 OF_THE_SYSTEM = r"<(filesystem|fstream|iostream|csignal|thread|future|sys/|(unistd|fcntl|signal|poll|io|windows)\.h>)"
 
+# What a build for WebAssembly compiles, too (scripts/wasm); its standard library lacks these.
+PORTABLE = ["core", "io", "lod2d/shape", "lod2d/builder", "lod3d", "scenes", "measure", "viz/figure"]
+NOT_PORTABLE = re.compile(r"\bstd::(ranges::\w+\s*\(|bit_cast\b)")
+NATIVE = {"lod3d/source/gltf_promises.cpp"}  # is left out there
+
 # A whole library in one header: <lodlab/core.hpp>, <lodlab/viz_paint.hpp>.
 UMBRELLA = re.compile(r"(core|io|lod2d|lod3d|scenes|measure|reference|viz)(_[a-z]+)?\.hpp$")
 
@@ -277,6 +282,10 @@ def check_code(name, text, breaches):
         for number, line in enumerate(code.splitlines(), 1):
             if ROUNDED_FREELY.search(line):
                 breaches.append(f"{name}:{number}: a function of the C library; take core/math/trigonometry.hpp's")
+    if any(name.startswith(portable + "/") for portable in PORTABLE) and name not in NATIVE:
+        for number, line in enumerate(code.splitlines(), 1):
+            if NOT_PORTABLE.search(line):
+                breaches.append(f"{name}:{number}: libc++ for WebAssembly lacks it; CONTRIBUTING.md says what to take")
     for number, line in enumerate(text.splitlines(), 1):
         if CUT_NAME.search(line):
             breaches.append(f"{name}:{number}: a test's name with a semicolon; ctest cuts it there and runs nothing")

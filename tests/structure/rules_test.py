@@ -62,6 +62,8 @@ BREACHES = {
     "a specialisation for one dimension": ("core/tree/a.cpp", "template <> void f<2>(int) {}\n"),
     "a second file for Box2D": ("cli/commands/a.cpp", "#include <box2d/b2_body.h>\n"),
     "a function of the C library": ("measure/a.cpp", "double f(double x) { return std::atan2(x, 2); }\n"),
+    "an algorithm of ranges in a portable room": ("core/tree/a.cpp", "void f(V& v) { std::ranges::sort(v); }\n"),
+    "a bit_cast in a portable room": ("viz/figure/a.cpp", "auto f(double d) { return std::bit_cast<long>(d); }\n"),
     "Eigen in a header": ("core/tree/a.hpp", "#include <Eigen/Core>\n"),
     "a library crosses the border to Eigen": ("lod3d/solid/a.cpp", '#include "core/math/eigen.hpp"\n'),
     "a file in core": ("core/tree/a.cpp", "#include <fstream>\n"),
