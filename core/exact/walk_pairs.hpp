@@ -124,7 +124,7 @@ class PairWalk {
     Matrix<Dim> size_ = place_.rotation.cwiseAbs() + Matrix<Dim>::Constant(1e-15);
 };
 
-/// Throws Error (input refused) where a shape is no Boundary; `kind` says what a Boundary is.
+/// The shape as a Boundary. Throws Error (input refused) where it is none; `kind` says what one is.
 template <class Boundary, int Dim>
 [[nodiscard]] const Boundary& of_kind(const ExactShape<Dim>& shape, const std::string& kind) {
     const auto* other = dynamic_cast<const Boundary*>(&shape);
@@ -132,6 +132,7 @@ template <class Boundary, int Dim>
     return *other;
 }
 
+/// Walks two boundaries as PairWalk does.
 template <int Dim, class Boundary, class Nearest>
 void walk_pairs(const Boundary& a, const Boundary& b, const Placement<Dim>& b_in_a,
                 const Nearest& nearest, PartVisitor<Dim>& visitor) {

@@ -15,7 +15,7 @@ namespace lod {
 /// How the impulses of many contacts become one change of velocities.
 enum class Response {
     net,         ///< the energy-exact net impulse (default)
-    sum,         ///< teaching: the sum of independent impulses; multiplies energy
+    sum,         ///< teaching: the sum of independent impulses; may multiply energy
     mean,        ///< teaching: the mean of them per body pair; loses energy
     sequential,  ///< reference: equation (1) contact after contact until none approaches
     /// Reference: frictionless Newton impacts, all contacts at once: u+ >= -e u. Never adds energy,

@@ -80,7 +80,7 @@ class BookWriter {
     }
 
   private:
-    /// MP4 plays in every browser; WebM takes its place where H.264 cannot be encoded.
+    /// MP4, where its encoder is installed; else WebM.
     void choose_video_format() {
         if (!options_.video) return;
         for (const char* ending : {"mp4", "webm"})

@@ -201,7 +201,7 @@ Polygon make_comb(Values v) {
 Polygon make_spiral(Values v) {
     const double turns = v[0];
     const int cuts = static_cast<int>(std::ceil(turns * 48));
-    const double band = 0.5 / (turns + 1);  // growth of the radius in one lod::full_turn
+    const double band = 0.5 / (turns + 1);  // growth of the radius in one turn
     Ring outer;
     Ring inner;
     for (int i = 0; i <= cuts; ++i) {

@@ -11,7 +11,6 @@
 #include "lodlab/lod3d/mesh/merge_points.hpp"
 
 namespace lod3d {
-namespace {}  // namespace
 
 bool is_usable(const Point& p) {
     return p.allFinite() && p.cwiseAbs().maxCoeff() <= 1e100;

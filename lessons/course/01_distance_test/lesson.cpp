@@ -39,7 +39,7 @@ double holding_radius(const lod2d::Shape& shape) {
 }
 // end of listing
 
-/// The gear at the origin and the star at a distance from it, always in the same direction.
+/// The gear at the origin and the star at a distance from it, towards (0.8, 0.6).
 Scene make_scene(double distance, double turn) {
     Scene scene;
     scene.gear_radius = holding_radius(scene.gear_shape);

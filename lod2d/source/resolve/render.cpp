@@ -25,14 +25,8 @@ using Device = std::unique_ptr<cairo_device_t, Release<cairo_device_destroy>>;
 using Surface = std::unique_ptr<cairo_surface_t, Release<cairo_surface_destroy>>;
 using Context = std::unique_ptr<cairo_t, Release<cairo_destroy>>;
 
-std::string one_line(std::string text) {
-    for (char& c : text)
-        if (c == '\n' || c == '\r') c = ' ';
-    return text;
-}
-
 [[noreturn]] void refuse(const std::string& name, GError* error, const std::string& otherwise) {
-    std::string why = error ? one_line(error->message) : otherwise;
+    std::string why = error ? error->message : otherwise;
     if (error) g_error_free(error);
     lod::refuse_input("cannot read " + name, "librsvg says: " + why + "; save it as a plain SVG");
 }
