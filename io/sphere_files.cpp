@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include "lodlab/core/base/to_chars.hpp"
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 #include <sstream>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/to_chars.hpp"
 #include "lodlab/core/base/utf8.hpp"
 #include "lodlab/core/math/enclosing_ball.hpp"
 
@@ -17,13 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Ball = lod::Sphere<3>;
 
-std::string text_of(double value) {
-    char text[32];
-    return {text, lod::to_chars(text, text + sizeof text, value).ptr};
-}
-
 std::string text_of(const lod::Vector<3>& p) {
-    return text_of(p.x()) + " " + text_of(p.y()) + " " + text_of(p.z());
+    return lod::number_text(p.x()) + " " + lod::number_text(p.y()) + " " + lod::number_text(p.z());
 }
 
 /// A sphere of the body frame in that of the mesh. Where rounding moves its centre there further
@@ -57,7 +52,8 @@ std::string letters_of_xml(const std::string& text) {
 std::string sph_text(const SphereExport& what) {
     constexpr double most_nodes = 4e6;
     const lod::SphereTree<3>& tree = what.tree;
-    const int branching = std::max(1, *std::ranges::max_element(tree.child_count));
+    const int branching =
+        std::max(1, *std::max_element(tree.child_count.begin(), tree.child_count.end()));
     double size = 1;
     for (int level = 1; level < tree.levels(); ++level) size *= branching;
     if (size > most_nodes)
@@ -74,7 +70,7 @@ std::string sph_text(const SphereExport& what) {
                 text += "0 0 0 0 0\n";
             } else {
                 const Ball ball = in_mesh_frame(what, node);
-                text += text_of(ball.centre) + " " + text_of(ball.radius) + " 1\n";
+                text += text_of(ball.centre) + " " + lod::number_text(ball.radius) + " 1\n";
             }
             for (int c = 0; c < branching; ++c) {
                 const bool there = node != none && c < tree.child_count[tree.index(node)];
@@ -111,7 +107,7 @@ std::string urdf_text(const SphereExport& what) {
         pugi::xml_node collision = link.append_child("collision");
         collision.append_child("origin").append_attribute("xyz") = text_of(ball.centre).c_str();
         collision.append_child("geometry").append_child("sphere").append_attribute("radius") =
-            text_of(ball.radius).c_str();
+            lod::number_text(ball.radius).c_str();
     }
     std::ostringstream text;
     document.save(text, "  ");
@@ -131,8 +127,9 @@ std::span<const SphereFormat> sphere_formats() {
 }
 
 const SphereFormat* sphere_format_of(std::string_view path) {
-    const auto found = std::ranges::find_if(
-        formats, [&](const SphereFormat& format) { return path.ends_with(format.ending); });
+    const auto found =
+        std::find_if(formats.begin(), formats.end(),
+                     [&](const SphereFormat& format) { return path.ends_with(format.ending); });
     return found == formats.end() ? nullptr : &*found;
 }
 

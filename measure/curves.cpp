@@ -1,7 +1,6 @@
 #include "lodlab/measure/curves.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
@@ -45,11 +44,7 @@ class Row {
         if (!text_.empty()) text_ += ',';
         text_ += cell;
     }
-    void add(double number) {
-        std::array<char, 32> digits;
-        const auto end = lod::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-        add(std::string_view(digits.data(), static_cast<std::size_t>(end - digits.data())));
-    }
+    void add(double number) { add(std::string_view(lod::number_text(number))); }
     void add(int number) { add(std::string_view(std::to_string(number))); }
     [[nodiscard]] std::string line() const { return text_ + '\n'; }
 

@@ -22,12 +22,6 @@ constexpr double longest = 3600;     // s
     throw lod::Error(lod::ErrorKind::input_refused, entry.where + ": " + entry.key + " " + why);
 }
 
-std::string written(double number) {
-    std::array<char, 32> digits;
-    const auto end = lod::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
-    return {digits.data(), end};
-}
-
 std::optional<double> as_number(const TomlEntry& entry) {
     if (const auto* integer = std::get_if<std::int64_t>(&entry.value))
         return static_cast<double>(*integer);
@@ -37,8 +31,8 @@ std::optional<double> as_number(const TomlEntry& entry) {
 
 void check_range(const TomlEntry& entry, double value, double low, double high) {
     if (!(value >= low && value <= high))  // NaN fails too
-        refuse(entry, "must lie between " + written(low) + " and " + written(high) + ", not " +
-                          written(value));
+        refuse(entry, "must lie between " + lod::number_text(low) + " and " +
+                          lod::number_text(high) + ", not " + lod::number_text(value));
 }
 
 double number(const TomlEntry& entry, double low, double high) {
@@ -51,7 +45,7 @@ double number(const TomlEntry& entry, double low, double high) {
 double mass(const TomlEntry& entry) {
     const auto value = as_number(entry);
     if (value && *value <= 0)
-        refuse(entry, "must be above 0, not " + written(*value) +
+        refuse(entry, "must be above 0, not " + lod::number_text(*value) +
                           "; for a body that never moves write static = true");
     return number(entry, least_mass, most_mass);
 }

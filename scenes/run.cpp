@@ -1,7 +1,6 @@
 #include "lodlab/scenes/run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -131,11 +130,7 @@ namespace {
 
 /// A number with three digits.
 std::string rounded(double number) {
-    std::array<char, 32> text;
-    const auto* end =
-        lod::to_chars(text.data(), text.data() + text.size(), number, std::chars_format::general, 3)
-            .ptr;
-    return {text.data(), static_cast<std::size_t>(end - text.data())};
+    return lod::number_text(number, std::chars_format::general, 3);
 }
 
 /// Whether there is something that it could pass through.

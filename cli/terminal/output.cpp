@@ -1,7 +1,6 @@
 #include "cli/terminal/output.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/to_chars.hpp"
 
 namespace cli {
 
@@ -32,11 +32,7 @@ void remark(const std::string& line) {
 }
 
 std::string readable(double number, int digits) {
-    std::array<char, 32> text;
-    const auto end = std::to_chars(text.data(), text.data() + text.size(), number,
-                                   std::chars_format::general, digits)
-                         .ptr;
-    return {text.data(), end};
+    return lod::number_text(number, std::chars_format::general, digits);
 }
 
 std::string right(const std::string& text, std::size_t width) {

@@ -1,6 +1,5 @@
 #include "lodlab/core/base/generator.hpp"
 
-#include <charconv>
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
@@ -9,12 +8,6 @@
 
 namespace lod {
 namespace {
-
-std::string short_number(double value) {
-    char text[32];
-    const auto end = to_chars(text, text + sizeof text, value).ptr;
-    return std::string(text, end);
-}
 
 double parse_value(std::string_view text, std::string_view spec, const std::string& usage,
                    const GeneratorParameter& parameter) {
@@ -31,8 +24,8 @@ double parse_value(std::string_view text, std::string_view spec, const std::stri
     if (!in_range || (parameter.whole && value != std::floor(value)))
         throw Error(ErrorKind::input_refused,
                     about() + "give a " + (parameter.whole ? "whole " : "") + "number from " +
-                        short_number(parameter.least) + " to " + short_number(parameter.most) +
-                        " (" + std::string(parameter.meaning) + ")");
+                        number_text(parameter.least) + " to " + number_text(parameter.most) + " (" +
+                        std::string(parameter.meaning) + ")");
     return value;
 }
 

@@ -1,6 +1,7 @@
 #include "lodlab/core/base/to_chars.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -116,6 +117,17 @@ std::to_chars_result to_chars(char* first, char* last, double value) {
 std::to_chars_result to_chars(char* first, char* last, double value, std::chars_format format,
                               int precision) {
     return available::to_chars(first, last, value, format, precision);
+}
+
+std::string number_text(double value) {
+    std::array<char, 32> text;
+    return {text.data(), lod::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string number_text(double value, std::chars_format format, int precision) {
+    std::array<char, 400> text;  // 309 digits before the point
+    return {text.data(),
+            lod::to_chars(text.data(), text.data() + text.size(), value, format, precision).ptr};
 }
 
 }  // namespace lod

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <charconv>
+#include <string>
 
 namespace lod {
 
@@ -10,6 +11,10 @@ namespace lod {
 [[nodiscard]] std::to_chars_result to_chars(char* first, char* last, double value);
 [[nodiscard]] std::to_chars_result to_chars(char* first, char* last, double value,
                                             std::chars_format format, int precision);
+
+/// The same as a text of its own.
+[[nodiscard]] std::string number_text(double value);
+[[nodiscard]] std::string number_text(double value, std::chars_format format, int precision);
 
 /// What stands in there for the standard library: the same bytes by the C library's printf, slower.
 namespace by_printf {

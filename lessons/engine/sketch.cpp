@@ -4,14 +4,12 @@
 #include <charconv>
 #include <limits>
 
+#include "lodlab/core/base/to_chars.hpp"
+
 namespace lessons {
 
 std::string shown(double value, int decimals) {
-    std::array<char, 400> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                   std::chars_format::fixed, decimals)
-                         .ptr;
-    std::string text(buffer.data(), end);
+    std::string text = lod::number_text(value, std::chars_format::fixed, decimals);
     if (text.front() != '-') return text;
     const bool zero = text.find_first_of("123456789") == std::string::npos;
     return (zero ? "" : "−") + text.substr(1);
@@ -37,11 +35,8 @@ Number number(double value, int decimals, const std::string& unit) {
 Number tiny(double value, const std::string& unit) {
     if (value == 0) return number(value, 0, unit);
     constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::array<char, 32> buffer{};
-    char* const end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
-                                    std::chars_format::scientific, 1)
-                          .ptr;
-    const std::string text(buffer.data(), end);  // "2.2e-16"
+    const std::string text =
+        lod::number_text(value, std::chars_format::scientific, 1);  // "2.2e-16"
     const std::size_t e = text.find('e');
     std::string shown_text = text.substr(0, e) + "·10";
     if (text[e + 1] == '-') shown_text += "⁻";

@@ -28,10 +28,7 @@ std::pair<Point, Point> widest_plane(const Mesh& mesh) {
 }  // namespace
 
 std::string in_digits(double value, int digits) {
-    std::array<char, 64> text;
-    const auto end = lod::to_chars(text.data(), text.data() + text.size(), value,
-                                   std::chars_format::general, digits);
-    return {text.data(), end.ptr};
+    return lod::number_text(value, std::chars_format::general, digits);
 }
 
 std::string place_in_words(const Point& p) {

@@ -12,13 +12,6 @@ namespace {
 const std::string minus = "\u2212";
 const std::string thin_space = "\u2009";
 
-std::string digits_of(double value, std::chars_format format, int precision) {
-    std::array<char, 400> buffer{};
-    const auto end =
-        lod::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format, precision);
-    return {buffer.data(), end.ptr};
-}
-
 std::string superscript(int exponent) {
     static const std::array<std::string, 10> raised{"⁰", "¹", "²", "³", "⁴",
                                                     "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -53,7 +46,7 @@ std::string number_text(double value, int digits) {
     const double size = std::abs(value);
     if (std::isinf(size)) return sign + "∞";
     if (size == 0) return "0";
-    std::string scientific = digits_of(size, std::chars_format::scientific, digits - 1);
+    std::string scientific = lod::number_text(size, std::chars_format::scientific, digits - 1);
     const std::size_t e = scientific.find('e');
     const int exponent = std::atoi(scientific.c_str() + e + 1);  // after rounding
     if (exponent >= 6 || exponent < -4) {
@@ -63,7 +56,7 @@ std::string number_text(double value, int digits) {
         return sign + (mantissa == "1" ? power : mantissa + " × " + power);
     }
     std::string text =
-        digits_of(size, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
+        lod::number_text(size, std::chars_format::fixed, std::max(0, digits - 1 - exponent));
     drop_trailing_zeros(text);
     return sign + grouped(text);
 }
@@ -83,7 +76,7 @@ std::string length_text(double metres) {
 
 std::string fixed_text(double value, int decimals) {
     if (!std::isfinite(value)) return number_text(value);
-    std::string text = digits_of(std::abs(value), std::chars_format::fixed, decimals);
+    std::string text = lod::number_text(std::abs(value), std::chars_format::fixed, decimals);
     const bool is_zero = text.find_first_not_of("0.") == std::string::npos;
     return (value < 0 && !is_zero ? minus : "") + text;
 }

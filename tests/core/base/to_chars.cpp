@@ -94,3 +94,15 @@ TEST_CASE("a text that has no room is not begun", "[to_chars]") {
     CHECK(result.ptr == room.data() + room.size());
     CHECK(room == std::array{'a', 'b', 'c'});
 }
+
+TEST_CASE("a number as a text of its own holds the longest of its format", "[to_chars]") {
+    CHECK(lod::number_text(0.1) == "0.1");
+    CHECK(lod::number_text(-1e22) == "-1e+22");
+    CHECK(lod::number_text(-5e-324) == "-5e-324");
+    CHECK(lod::number_text(2.0 / 3, std::chars_format::fixed, 2) == "0.67");
+    CHECK(lod::number_text(1234.5, std::chars_format::general, 3) == "1.23e+03");
+    const double largest = std::numeric_limits<double>::max();
+    const std::string text = lod::number_text(-largest, std::chars_format::fixed, 10);
+    CHECK(text.size() == 1 + 309 + 1 + 10);
+    CHECK(text.substr(0, 6) == "-17976");
+}

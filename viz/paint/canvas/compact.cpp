@@ -1,10 +1,10 @@
-#include <array>
 #include <cctype>
-#include <charconv>
 #include <map>
 #include <string_view>
 #include <utility>
 
+#include "lodlab/core/base/from_chars.hpp"
+#include "lodlab/core/base/to_chars.hpp"
 #include "lodlab/viz/paint/canvas/themes.hpp"
 
 namespace viz {
@@ -17,11 +17,8 @@ bool in_number(char c) {
 /// Rounded to a hundredth, without zeros at the end: what is finer than a pixel is not seen.
 std::string rounded(std::string_view number) {
     double value = 0;
-    std::from_chars(number.data(), number.data() + number.size(), value);
-    std::array<char, 40> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                   std::chars_format::fixed, 2);
-    std::string text(digits.data(), end.ptr);
+    lod::from_chars(number.data(), number.data() + number.size(), value);
+    std::string text = lod::number_text(value, std::chars_format::fixed, 2);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.ends_with('.')) text.pop_back();
     return text == "-0" ? "0" : text;
