@@ -20,9 +20,8 @@ import sys
 import tempfile
 
 FEW = [
-    ["-march=x86-64-v3", "-O2"],
+    ["-march=x86-64-v3", "-DEIGEN_MAX_ALIGN_BYTES=64", "-O1", "-std=c++2b"],
     ["-march=native", "-O3", "-ffp-contract=fast"],
-    ["-DEIGEN_MAX_ALIGN_BYTES=64", "-O1", "-std=c++2b"],
 ]
 ALL = [
     ["-march=x86-64-v2"],
