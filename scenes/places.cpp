@@ -43,7 +43,8 @@ std::filesystem::path scene_file(const std::string& name) {
     const std::vector<std::string_view> candidates(known.begin(), known.end());
     throw lod::Error(lod::ErrorKind::input_refused,
                      "no scene file " + name + did_you_mean(name, candidates) +
-                         "; name a file, or one of " + listed(candidates));
+                         "; name a file, one of " + listed(candidates) +
+                         ", or a crowd, as in gas:1000");
 }
 
 namespace {

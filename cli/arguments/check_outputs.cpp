@@ -9,6 +9,7 @@
 #include "cli/arguments/named_files.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/files/output_file.hpp"
+#include "lodlab/scenes/crowd/crowds.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/spelling.hpp"
@@ -71,8 +72,9 @@ std::vector<fs::path> inputs_of(const Options& options) {
     shapes.push_back(options.shape);
     if (!options.replay.empty()) inputs.emplace_back(options.replay);
     if (!options.scene.empty()) {
-        inputs.push_back(scenes::scene_file(options.scene));
-        for (const scenes::BodySpec& body : scenes::load_scene(inputs.back()).bodies) {
+        if (!scenes::names_crowd(options.scene) || fs::exists(options.scene))
+            inputs.push_back(scenes::scene_file(options.scene));
+        for (const scenes::BodySpec& body : scenes::named_scene(options.scene).bodies) {
             if (body.file.empty())
                 shapes.push_back(body.shape);
             else

@@ -81,7 +81,7 @@ constexpr double most_seeds = 18'446'744'073'709'549'568.0;  // the last double 
 const Row rows[] = {
     {"SHAPE", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg, svgz; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9")->required(); }},
     {"[SHAPE]", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg, svgz; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9"); }},
-    {"SCENE", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), or the name of a scene that comes with lodlab")->required(); }},
+    {"SCENE", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), the name of a scene that comes with lodlab, or a crowd, as in gas:1000")->required(); }},
     {"FIGURE", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the figure in the paper")->check(range(0, most_pages))->required(); }},
     {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the lesson; without it the lessons are listed")->check(range(0, most_pages)); }},
     {"--list", [](CLI::App& a, Options& o) { a.add_flag("--list", o.list, "list generators and builders"); }},

@@ -5,7 +5,7 @@
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/scenes/places.hpp"
+#include "lodlab/scenes/crowd/crowds.hpp"
 #include "lodlab/scenes/trace.hpp"
 
 namespace cli {
@@ -48,7 +48,7 @@ io::TreeCache cache_of(const Options& options) {
 }
 
 scenes::Scene scene_of(const Options& options) {
-    scenes::Scene scene = scenes::load_scene(scenes::scene_file(options.scene));
+    scenes::Scene scene = scenes::named_scene(options.scene);
     override_limits(options, scene.limits);
     override_choice(options.response, scene.response);
     override_choice(options.contact_model, scene.contact_model);
@@ -73,7 +73,7 @@ scenes::Setup<Dim> stage(const scenes::Scene& scene, const Options& options) {
     how.cache = cache_of(options);
     how.progress = [&](double share) { bar.show(share); };
     scenes::Setup<Dim> setup = scenes::set_up<Dim>(scene, how);
-    for (const std::string& warning : setup.warnings) remark(warning);
+    remark_all(setup.warnings);
     return setup;
 }
 
@@ -90,8 +90,7 @@ scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
     run.clock = &steady_clock();
     run.progress = [&](double share) { bar.show(share); };
     scenes::Run<Dim> result = scenes::run(setup.bodies, run);
-    for (const std::string& line : scenes::speed_warnings<Dim>(scene, setup.bodies, result))
-        remark(line);
+    remark_all(scenes::speed_warnings<Dim>(scene, setup.bodies, result));
     return result;
 }
 

@@ -31,6 +31,14 @@ void remark(const std::string& line) {
     std::cerr << "lodlab: " << text << '\n';
 }
 
+void remark_all(std::span<const std::string> lines) {
+    constexpr std::size_t most = 5;
+    const std::size_t shown = lines.size() <= most + 1 ? lines.size() : most;
+    for (const std::string& line : lines.first(shown)) remark(line);
+    if (shown < lines.size())
+        remark("and " + std::to_string(lines.size() - shown) + " more like the last");
+}
+
 std::string readable(double number, int digits) {
     return lod::number_text(number, std::chars_format::general, digits);
 }

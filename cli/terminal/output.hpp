@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 
 namespace cli {
@@ -13,6 +14,8 @@ void print(const nlohmann::ordered_json& json);
 
 /// A remark that is no result: one line on standard error.
 void remark(const std::string& line);
+/// Remarks of one kind: the first few, and how many more there are.
+void remark_all(std::span<const std::string> lines);
 
 /// A number as a reader wants it: at most so many significant digits, no trailing zeros.
 [[nodiscard]] std::string readable(double number, int digits = 6);

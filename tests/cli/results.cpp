@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -164,4 +165,13 @@ TEST_CASE("what a level takes for a collision and never was has no error to tell
     CHECK(json["impacts"][0]["levels"][0]["gap"].get<double>() > 0);
     CHECK(json["impacts"][0]["levels"][0]["error"].is_null());
     CHECK(json["runs"][0]["extra"] == 1);
+}
+
+TEST_CASE("a crowd runs by its name, and of many remarks of a kind a few are shown") {
+    const std::vector<std::string> fast{"simulate", "gas:200", "--duration", "1"};
+    const Outcome outcome = lodlab(fast);
+    REQUIRE(outcome.code == 0);
+    CHECK(outcome.out.starts_with("gas: 60 frames of 16.6667 ms\n"));
+    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 6);
+    CHECK(outcome.err.find(" more like the last\n") != std::string::npos);
 }

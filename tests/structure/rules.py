@@ -39,6 +39,7 @@ MAY_INCLUDE = {
     "lod3d/builder": ["core", "lod3d/mesh", "lod3d/solid"],
     "lod3d/source": ["core", "io/files", "lod3d/mesh", "lod3d/solid"],
     "scenes": ["core", "io", "lod2d", "lod3d"],
+    "scenes/crowd": ["core", "lod2d", "scenes"],
     "measure/reference": ["core", "lod2d/shape"],
     "measure": ["core", "io", "lod2d", "lod3d", "scenes", "measure/reference"],
     "viz/figure": ["core"],
