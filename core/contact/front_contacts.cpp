@@ -1,7 +1,6 @@
 #include "lodlab/core/contact/front_contacts.hpp"
 
 #include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "lodlab/core/base/lists.hpp"
@@ -107,34 +106,64 @@ std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedTree<Dim>
     return meet(hull_a_, hull_b_, motion, 2 * (a.rounding() + b.rounding()));
 }
 
+/// The group of two hulls, a new one where there is none.
+template <int Dim>
+std::int32_t FrontContacts<Dim>::group_of(const NodePair& best, std::size_t mask) {
+    if (!spoken_.empty() && spoken_.back().best == best)
+        return static_cast<std::int32_t>(spoken_.size()) - 1;
+    // Two odd constants that spread neighbouring numbers over all bits (those of Random).
+    std::uint64_t place = static_cast<std::uint64_t>(best.a) * 0x9e3779b97f4a7c15u +
+                          static_cast<std::uint64_t>(best.b) * 0xbf58476d1ce4e5b9u;
+    place ^= place >> 29;
+    for (;; ++place) {
+        Slot& slot = slots_[place & mask];
+        if (slot.filled_for != front_number_) {
+            slot = {front_number_, static_cast<std::int32_t>(spoken_.size())};
+            spoken_.push_back({best, -1, -1});
+            return slot.group;
+        }
+        if (spoken_[at(slot.group)].best == best) return slot.group;
+    }
+}
+
+/// Pairs in their order, groups in that of their nodes.
+template <int Dim>
+void FrontContacts<Dim>::group_by_hulls(const PosedFront<Dim>& front) {
+    const NodeHulls<Dim>& hulls_a = front.a.tree().hulls;
+    const NodeHulls<Dim>& hulls_b = front.b.tree().hulls;
+    std::size_t room = 16;
+    while (room < 2 * front.pairs.size()) room *= 2;
+    if (slots_.size() < room) slots_.resize(room);
+    ++front_number_;
+    spoken_.clear();
+    refill(next_, front.pairs.size(), -1);
+    for (std::size_t i = 0; i < front.pairs.size(); ++i) {
+        const NodePair best{hulls_a.best(front.pairs[i].a), hulls_b.best(front.pairs[i].b)};
+        Spoken& group = spoken_[at(group_of(best, room - 1))];
+        const auto pair = static_cast<std::int32_t>(i);
+        (group.last < 0 ? group.first : next_[at(group.last)]) = pair;
+        group.last = pair;
+    }
+    std::sort(spoken_.begin(), spoken_.end(), [](const Spoken& x, const Spoken& y) {
+        return x.best.a != y.best.a ? x.best.a < y.best.a : x.best.b < y.best.b;
+    });
+}
+
 /// Every pair of nodes whose hulls meet is a patch.
 template <int Dim>
 void FrontContacts<Dim>::model_hulls(const PosedFront<Dim>& front, const PairMotion<Dim>& motion,
                                      FrontModel<Dim>& found) {
     const PosedTree<Dim>& a = front.a;
-    const PosedTree<Dim>& b = front.b;
-    const std::span<const NodePair> pairs = front.pairs;
-    const NodeHulls<Dim>& hulls_a = a.tree().hulls;
-    const NodeHulls<Dim>& hulls_b = b.tree().hulls;
-    spoken_.clear();
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        spoken_.push_back(
-            {{hulls_a.best(pairs[i].a), hulls_b.best(pairs[i].b)}, static_cast<std::int32_t>(i)});
-    const auto place = [](const Spoken& spoken) {
-        return std::tuple(spoken.best.a, spoken.best.b, spoken.pair);
-    };
-    std::sort(spoken_.begin(), spoken_.end(),
-              [&](const Spoken& x, const Spoken& y) { return place(x) < place(y); });
+    group_by_hulls(front);
     touches_.clear();
-    for (std::size_t first = 0, end = 0; first < spoken_.size(); first = end) {
-        const NodePair best = spoken_[first].best;
-        while (end < spoken_.size() && spoken_[end].best == best) ++end;
-        const std::optional<Manifold<Dim>> manifold = meet_nodes(a, b, best, motion);
+    for (const Spoken& group : spoken_) {
+        const std::optional<Manifold<Dim>> manifold = meet_nodes(a, front.b, group.best, motion);
         if (!manifold) continue;
-        const Range nodes{static_cast<std::int32_t>(found.node_pairs.size()),
-                          static_cast<std::int32_t>(end - first)};
-        for (std::size_t i = first; i < end; ++i)
-            found.node_pairs.push_back(pairs[at(spoken_[i].pair)]);
+        const std::size_t first = found.node_pairs.size();
+        for (std::int32_t i = group.first; i >= 0; i = next_[at(i)])
+            found.node_pairs.push_back(front.pairs[at(i)]);
+        const Range nodes{static_cast<std::int32_t>(first),
+                          static_cast<std::int32_t>(found.node_pairs.size() - first)};
         if (!manifold->parts(motion)) touches_.push_back({*manifold, nodes});
     }
     keep_deepest();

@@ -73,16 +73,24 @@ class FrontContacts {
         Side a;
         Side b;
     };
-    /// A pair of the front and the pair whose hulls speak for it.
+    /// Pairs of the front for which the same two hulls speak, as a list through next_.
     struct Spoken {
         NodePair best;
-        std::int32_t pair = 0;
+        std::int32_t first = 0;
+        std::int32_t last = 0;
+    };
+    /// A place of the hash table of groups.
+    struct Slot {
+        std::uint64_t filled_for = 0;  ///< the front whose group it names
+        std::int32_t group = 0;
     };
     struct Touch {
         Manifold<Dim> manifold;
         Range nodes;
     };
 
+    void group_by_hulls(const PosedFront<Dim>& front);
+    [[nodiscard]] std::int32_t group_of(const NodePair& best, std::size_t mask);
     void model_hulls(const PosedFront<Dim>& front, const PairMotion<Dim>& motion,
                      FrontModel<Dim>& found);
     [[nodiscard]] std::optional<Manifold<Dim>> meet_nodes(const PosedTree<Dim>& a,
@@ -97,6 +105,9 @@ class FrontContacts {
     void join(std::vector<std::int32_t>& first_pair, std::int32_t node, std::int32_t pair);
 
     std::vector<Spoken> spoken_;
+    std::vector<std::int32_t> next_;  ///< of each pair: the next of its group, or -1
+    std::vector<Slot> slots_;
+    std::uint64_t front_number_ = 0;
     std::vector<Touch> touches_;
     PosedHull<Dim> hull_a_;
     PosedHull<Dim> hull_b_;
