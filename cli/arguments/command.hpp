@@ -24,6 +24,7 @@ void run_collide(const Options& options);
 void run_simulate(const Options& options);
 void run_compare(const Options& options);
 void run_degrade(const Options& options);
+void run_crowd(const Options& options);
 void run_figure(const Options& options);
 void run_lesson(const Options& options);
 void run_book(const Options& options);

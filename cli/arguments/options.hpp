@@ -58,6 +58,7 @@ struct Options {
     std::string models;     ///< contact models, parted by commas
     std::string responses;  ///< parted by commas
     std::optional<int> impacts;
+    std::optional<int> seeds;  ///< of a crowd
     std::uint64_t seed = 1;
     std::string share = "1/1";
     std::vector<std::string> merge;  ///< files with shares

@@ -110,6 +110,7 @@ const Row rows[] = {
     {"--shapes", [](CLI::App& a, Options& o) { a.add_option("--shapes", o.shapes, "shapes that meet, parted by commas: files or generators")->type_name("SHAPE,..."); }},
     {"--impacts", [](CLI::App& a, Options& o) { a.add_option("--impacts", o.impacts, "how many impacts; without it 200")->check(range(1, 1e7)); }},
     {"--seed", [](CLI::App& a, Options& o) { a.add_option("--seed", o.seed, "of the random impacts")->check(range(0, most_seeds))->capture_default_str(); }},
+    {"--seeds", [](CLI::App& a, Options& o) { a.add_option("--seeds", o.seeds, "of a crowd: how many, from its own on; without it 5")->check(range(1, 1000)); }},
     {"--models", [](CLI::App& a, Options& o) { a.add_option("--models", o.models, "contact models, parted by commas; without it all")->type_name("MODEL,..."); }},
     {"--responses", [](CLI::App& a, Options& o) { a.add_option("--responses", o.responses, "responses, parted by commas; without it net")->type_name("RESPONSE,..."); }},
     {"--share", [](CLI::App& a, Options& o) { a.add_option("--share", o.share, "do one share of the impacts only, as in 3/8")->type_name("I/N")->capture_default_str(); }},

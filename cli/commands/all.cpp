@@ -23,6 +23,9 @@ constexpr Command table[] = {
      "lodlab degrade --shapes box,L,star:5 --impacts 500 --out curve.png --out curve.csv --json",
      "--shapes --dim --impacts --seed --builder --branching --depth --models --responses --share "
      "--merge --out --no-cache --raise-limits --theme --quality --json", run_degrade},
+    {"crowd", "What a quota of node tests costs a crowd, by the order in which pairs are refined",
+     "lodlab crowd implode:100 --seeds 20 --out quota.png --json",
+     "SCENE --seeds --duration --response --contact-model --point-model --out --no-cache --raise-limits --theme --quality --json", run_crowd},
     {"figure", "A figure of the paper, from running code: 1, 2, 3, 4, 5 or 9",
      "lodlab figure 9 --out figure-9.png --out figure-9.mp4",
      "FIGURE --dim --contact-model --out --no-cache --theme --quality", run_figure},

@@ -59,6 +59,7 @@ TEST_CASE("the results have exactly the documented keys") {
     check_keys("compare", result({"compare", "offset_boxes", "--json"}));
     check_keys("degrade",
                result({"degrade", "--shapes", "box", "--impacts", "3", "--depth", "2", "--json"}));
+    check_keys("crowd", result({"crowd", "gas:5", "--seeds", "2", "--duration", "0.2", "--json"}));
     check_keys("doctor", result({"doctor", "--json"}));
 }
 

@@ -41,6 +41,7 @@ MAY_INCLUDE = {
     "scenes": ["core", "io", "lod2d", "lod3d"],
     "scenes/crowd": ["core", "lod2d", "scenes"],
     "measure/reference": ["core", "lod2d/shape"],
+    "measure/crowd": ["core"],
     "measure": ["core", "io", "lod2d", "lod3d", "scenes", "measure/reference"],
     "viz/figure": ["core"],
     "viz/draw": ["core", "lod2d", "lod3d", "viz/figure"],
