@@ -19,7 +19,7 @@ namespace {
 
 viz::Actor<2> actor(const lod2d::Shape& shape) {
     viz::Actor<2> result;
-    result.look = viz::look_of(shape);
+    result.visual = viz::visual_of(shape);
     lod::set_mass<2>(result.body, shape.area, lod::Inertia<2>::Constant(shape.second_moment));
     lod2d::TreeSettings settings;
     settings.builder = lod2d::Builder::quadtree;

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
     const std::string name = argc > 1 ? argv[1] : std::filesystem::exists(bunny) ? bunny : "knot";
     const int frames = argc > 2 ? std::atoi(argv[2]) : 8;
     const lod3d::Solid solid = solid_named(name);
-    viz::Actor<3> actor{viz::look_of(solid), {}};
+    viz::Actor<3> actor{viz::visual_of(solid), {}};
     actor.body.tree = std::make_shared<const lod::SphereTree<3>>(
         lod3d::build_tree(solid, {.builder = lod3d::Builder::octree}));
     std::printf("%s: %zu triangles, %d spheres\n", solid.name.c_str(), solid.mesh.triangles.size(),

@@ -40,11 +40,12 @@ class Measurement {
   public:
     using Body = lod::Body<Dim>;
 
-    Measurement(const Plan& plan, std::span<const Kind<Dim>> kinds, const lod::Clock* clock)
-        : plan_(plan), kinds_(kinds), clock_(clock) {}
+    Measurement(const Plan& plan, std::span<const MeasuredShape<Dim>> shapes,
+                const lod::Clock* clock)
+        : plan_(plan), shapes_(shapes), clock_(clock) {}
 
     ImpactSample measure(int number) {
-        approach_ = draw_approach<Dim>(kinds_, plan_.ensemble, static_cast<std::uint64_t>(number),
+        approach_ = draw_approach<Dim>(shapes_, plan_.ensemble, static_cast<std::uint64_t>(number),
                                        plan_.time_step);
         find_entries();
         ImpactSample result{number, {}};
@@ -184,13 +185,13 @@ class Measurement {
             fastest_approach(a, a.exact->radius(), b, b.exact->radius()) * plan_.time_step;
         if (level >= 0)
             outcome.gap_bound +=
-                kinds_[static_cast<std::size_t>(approach_.kind_a)].protrusion_at(level) +
-                kinds_[static_cast<std::size_t>(approach_.kind_b)].protrusion_at(level);
+                shapes_[static_cast<std::size_t>(approach_.shape_a)].protrusion_at(level) +
+                shapes_[static_cast<std::size_t>(approach_.shape_b)].protrusion_at(level);
         return outcome;
     }
 
     const Plan& plan_;
-    std::span<const Kind<Dim>> kinds_;
+    std::span<const MeasuredShape<Dim>> shapes_;
     const lod::Clock* clock_;
     Approach<Dim> approach_;
     std::vector<Moment<Dim>> entries_;
@@ -224,11 +225,11 @@ void check_plan(const Plan& plan, const Share& share) {
 }
 
 template <int Dim>
-Outcomes degrade(const Plan& plan, std::span<const Kind<Dim>> kinds,
+Outcomes degrade(const Plan& plan, std::span<const MeasuredShape<Dim>> shapes,
                  const DegradeOptions& options) {
     check_plan(plan, options.share);
     Outcomes outcomes{plan, {}};
-    Measurement<Dim> measurement(plan, kinds, options.clock);
+    Measurement<Dim> measurement(plan, shapes, options.clock);
     for (int number = 0; number < plan.impacts; ++number) {
         if (!options.share.holds(number)) continue;
         outcomes.impacts.push_back(measurement.measure(number));
@@ -262,7 +263,7 @@ Outcomes merged(std::vector<Outcomes> shares) {
     return all;
 }
 
-template Outcomes degrade(const Plan&, std::span<const Kind<2>>, const DegradeOptions&);
-template Outcomes degrade(const Plan&, std::span<const Kind<3>>, const DegradeOptions&);
+template Outcomes degrade(const Plan&, std::span<const MeasuredShape<2>>, const DegradeOptions&);
+template Outcomes degrade(const Plan&, std::span<const MeasuredShape<3>>, const DegradeOptions&);
 
 }  // namespace measure

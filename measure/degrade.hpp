@@ -99,9 +99,9 @@ void check_plan(const Plan& plan, const Share& share);
 /// Runs every impact of the share at every level by frames of the plan's time step, each by
 /// lod::advance with the level as the deepest, until something pushes. Frames in which a level
 /// cannot have a front are skipped (measure/free_flight.hpp), which changes no result.
-/// Requires: kinds belong to the plan's shapes. Throws lod::Error as check_plan does.
+/// Requires: shapes belong to the plan's shapes. Throws lod::Error as check_plan does.
 template <int Dim>
-[[nodiscard]] Outcomes degrade(const Plan& plan, std::span<const Kind<Dim>> kinds,
+[[nodiscard]] Outcomes degrade(const Plan& plan, std::span<const MeasuredShape<Dim>> shapes,
                                const DegradeOptions& options = {});
 
 /// Puts shares together, in any order: the same bits as one run (without a clock). Throws

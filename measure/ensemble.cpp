@@ -45,16 +45,16 @@ void turn(lod::Body<Dim>& body, lod::Random& random, double most_spin) {
 }
 
 template <int Dim>
-Approach<Dim> draw(std::span<const Kind<Dim>> kinds, const EnsembleSettings& settings,
+Approach<Dim> draw(std::span<const MeasuredShape<Dim>> shapes, const EnsembleSettings& settings,
                    lod::Random& random) {
     Approach<Dim> drawn;
     const auto any = [&] {
-        return static_cast<int>(random.next() * static_cast<double>(kinds.size()));
+        return static_cast<int>(random.next() * static_cast<double>(shapes.size()));
     };
-    drawn.kind_a = any();
-    drawn.kind_b = any();
-    drawn.a = kinds[static_cast<std::size_t>(drawn.kind_a)].body;
-    drawn.b = kinds[static_cast<std::size_t>(drawn.kind_b)].body;
+    drawn.shape_a = any();
+    drawn.shape_b = any();
+    drawn.a = shapes[static_cast<std::size_t>(drawn.shape_a)].body;
+    drawn.b = shapes[static_cast<std::size_t>(drawn.shape_b)].body;
     turn(drawn.a, random, settings.spin);
     turn(drawn.b, random, settings.spin);
     const lod::Vector<Dim> ahead = direction<Dim>(random);
@@ -107,27 +107,27 @@ bool find_touch(Approach<Dim>& approach, double horizon, double step) {
 }  // namespace
 
 template <int Dim>
-Kind<Dim> make_kind(const std::string& name, const scenes::Shape<Dim>& shape,
-                    const scenes::TreeChoice& tree, const io::TreeCache& cache) {
+MeasuredShape<Dim> measured_shape(const std::string& name, const scenes::Shape<Dim>& shape,
+                                  const scenes::TreeChoice& tree, const io::TreeCache& cache) {
     using Shapes = scenes::Shapes<Dim>;
-    Kind<Dim> kind;
-    kind.name = name;
-    lod::set_mass(kind.body, Shapes::measure(shape), Shapes::second_moment(shape));
-    kind.body.tree = std::make_shared<const lod::SphereTree<Dim>>(
+    MeasuredShape<Dim> result;
+    result.name = name;
+    lod::set_mass(result.body, Shapes::measure(shape), Shapes::second_moment(shape));
+    result.body.tree = std::make_shared<const lod::SphereTree<Dim>>(
         scenes::tree_of<Dim>(shape, Shapes::settings(tree), cache));
-    kind.body.exact = exact_shape(shape);
-    for (const lod::LevelReport& level : Shapes::report(shape, *kind.body.tree).levels)
-        kind.protrusion.push_back(level.worst_protrusion);
-    return kind;
+    result.body.exact = exact_shape(shape);
+    for (const lod::LevelReport& level : Shapes::report(shape, *result.body.tree).levels)
+        result.protrusion.push_back(level.worst_protrusion);
+    return result;
 }
 
 template <int Dim>
-Approach<Dim> draw_approach(std::span<const Kind<Dim>> kinds, const EnsembleSettings& settings,
-                            std::uint64_t number, double step) {
+Approach<Dim> draw_approach(std::span<const MeasuredShape<Dim>> shapes,
+                            const EnsembleSettings& settings, std::uint64_t number, double step) {
     lod::Random random = stream(settings.seed, number);
     for (int attempt = 0; attempt < most_draws; ++attempt) {
         lod::check_interrupted();
-        Approach<Dim> drawn = draw<Dim>(kinds, settings, random);
+        Approach<Dim> drawn = draw<Dim>(shapes, settings, random);
         // By then the centres have passed each other.
         const double horizon = 2.2 * (drawn.a.tree->extent + drawn.b.tree->extent) / settings.speed;
         if (find_touch(drawn, horizon, step)) return drawn;
@@ -137,11 +137,11 @@ Approach<Dim> draw_approach(std::span<const Kind<Dim>> kinds, const EnsembleSett
                          " random approaches; aim closer or choose other shapes");
 }
 
-#define MEASURE_INSTANTIATE(Dim)                                                              \
-    template Kind<Dim> make_kind(const std::string&, const scenes::Shape<Dim>&,               \
-                                 const scenes::TreeChoice&, const io::TreeCache&);            \
-    template Approach<Dim> draw_approach(std::span<const Kind<Dim>>, const EnsembleSettings&, \
-                                         std::uint64_t, double);
+#define MEASURE_INSTANTIATE(Dim)                                                                 \
+    template MeasuredShape<Dim> measured_shape(const std::string&, const scenes::Shape<Dim>&,    \
+                                               const scenes::TreeChoice&, const io::TreeCache&); \
+    template Approach<Dim> draw_approach(std::span<const MeasuredShape<Dim>>,                    \
+                                         const EnsembleSettings&, std::uint64_t, double);
 MEASURE_INSTANTIATE(2)
 MEASURE_INSTANTIATE(3)
 #undef MEASURE_INSTANTIATE

@@ -17,7 +17,7 @@ namespace measure {
 
 /// A shape that takes part in impacts.
 template <int Dim>
-struct Kind {
+struct MeasuredShape {
     std::string name;
     /// At rest in the origin, density 1, with its tree and its exact shape.
     lod::Body<Dim> body;
@@ -33,8 +33,10 @@ struct Kind {
 /// Builds the tree of a shape, or takes it from the cache, and measures every level of it.
 /// Throws lod::Error as scenes::Shapes does.
 template <int Dim>
-[[nodiscard]] Kind<Dim> make_kind(const std::string& name, const scenes::Shape<Dim>& shape,
-                                  const scenes::TreeChoice& tree, const io::TreeCache& cache);
+[[nodiscard]] MeasuredShape<Dim> measured_shape(const std::string& name,
+                                                const scenes::Shape<Dim>& shape,
+                                                const scenes::TreeChoice& tree,
+                                                const io::TreeCache& cache);
 
 /// Random impacts of two bodies. World frame; body A starts in the origin.
 struct EnsembleSettings {
@@ -51,8 +53,8 @@ struct EnsembleSettings {
 /// Two bodies that meet.
 template <int Dim>
 struct Approach {
-    int kind_a = 0;
-    int kind_b = 0;
+    int shape_a = 0;
+    int shape_b = 0;
     lod::Body<Dim> a;  ///< at the start, apart
     lod::Body<Dim> b;
     double time = 0;               ///< from the start to the touch [s]
@@ -63,13 +65,13 @@ struct Approach {
 /// above rounding for shapes of some metres.
 inline constexpr double touching_within = 1e-11;
 
-/// Impact `number` of an ensemble, counted from 0: kinds, poses and spins drawn from a stream of
+/// Impact `number` of an ensemble, counted from 0: shapes, poses and spins drawn from a stream of
 /// random numbers of its own, so that it is the same whichever other impacts are drawn. Draws again
 /// where the bodies miss each other, or where nothing pushes as they touch.
 /// `step` is the frame's [s]: bodies move by lod::integrate, and the touch is looked for within a
 /// frame. Throws lod::Error (input refused) where 1000 draws find no impact.
 template <int Dim>
-[[nodiscard]] Approach<Dim> draw_approach(std::span<const Kind<Dim>> kinds,
+[[nodiscard]] Approach<Dim> draw_approach(std::span<const MeasuredShape<Dim>> shapes,
                                           const EnsembleSettings& settings, std::uint64_t number,
                                           double step);
 

@@ -96,13 +96,13 @@ measure::Outcomes measured(measure::Plan plan, measure::Share part, const Option
     std::vector<scenes::Shape<Dim>> shapes;  // all of them before the first tree is built
     for (const std::string& name : plan.shapes)
         shapes.push_back(scenes::Shapes<Dim>::named(name, choice));
-    std::vector<measure::Kind<Dim>> kinds;
+    std::vector<measure::MeasuredShape<Dim>> measured;
     {
         ProgressBar bar("Building the trees");
         for (std::size_t i = 0; i < shapes.size(); ++i) {
-            kinds.push_back(
-                measure::make_kind<Dim>(plan.shapes[i], shapes[i], tree, cache_of(options)));
-            bar.show(static_cast<double>(kinds.size()) / static_cast<double>(shapes.size()));
+            measured.push_back(
+                measure::measured_shape<Dim>(plan.shapes[i], shapes[i], tree, cache_of(options)));
+            bar.show(static_cast<double>(measured.size()) / static_cast<double>(shapes.size()));
         }
     }
     ProgressBar bar("Measuring impacts");
@@ -110,7 +110,7 @@ measure::Outcomes measured(measure::Plan plan, measure::Share part, const Option
     how.share = part;
     how.clock = &steady_clock();
     how.progress = [&](double share) { bar.show(share); };
-    return measure::degrade<Dim>(plan, kinds, how);
+    return measure::degrade<Dim>(plan, measured, how);
 }
 
 measure::Outcomes outcomes_for(const Options& options) {

@@ -63,7 +63,7 @@ Drawing tree_of_a_shape(const Options& options) {
     Drawing drawing;
     drawing.figure = [setup] {
         viz::Actor<Dim> actor = actor_of<Dim>(setup, setup.bodies, 0);
-        actor.look.name = setup.shapes[0]->name;
+        actor.visual.name = setup.shapes[0]->name;
         viz::Figure figure = viz::tree_levels<Dim>(actor, {0, 1, 2, 3});
         figure.columns = 2;
         return figure;

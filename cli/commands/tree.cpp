@@ -151,7 +151,7 @@ void tree(const Options& options) {
     viz::Actor<Dim> actor{{shape.name, {}}, {}};
     actor.body.tree = built<Dim>(shape, choice, cache_of(options));
     Drawing drawing;
-    if (!options.out.empty()) actor.look = look_of<Dim>(shape, shape.name);
+    if (!options.out.empty()) actor.visual = visual_of<Dim>(shape, shape.name);
     drawing.figure = [&] { return viz::tree_levels<Dim>(actor); };
     add_film(actor, drawing);
     add_sphere_exports(shape, *actor.body.tree, options, drawing.exports);

@@ -52,7 +52,7 @@ viz::Run<2> box2d_seen(const scenes::Setup<2>& setup, const lod2d::Box2dRun& run
     result.name = "Box2D";
     result.time_step = run.frame_step;
     for (std::size_t i = 0; i < setup.bodies.size(); ++i)
-        result.looks.push_back(look_of<2>(*setup.shapes[i], setup.scene.bodies[i].name));
+        result.visuals.push_back(visual_of<2>(*setup.shapes[i], setup.scene.bodies[i].name));
     auto impact = run.impacts.begin();
     for (std::size_t frame = 0; frame < run.frames.size(); ++frame) {
         const double until = (static_cast<double>(frame + 1) - 1e-9) * run.frame_step;

@@ -24,17 +24,17 @@ viz::Quality quality_of(const Options& options) {
 }
 
 template <int Dim>
-viz::Look<Dim> look_of(const scenes::Shape<Dim>& shape, const std::string& name) {
-    viz::Look<Dim> look = viz::look_of(shape);
-    look.name = name;
-    return look;
+viz::Visual<Dim> visual_of(const scenes::Shape<Dim>& shape, const std::string& name) {
+    viz::Visual<Dim> visual = viz::visual_of(shape);
+    visual.name = name;
+    return visual;
 }
 
 template <int Dim>
 viz::Actor<Dim> actor_of(const scenes::Setup<Dim>& setup, const std::vector<lod::Body<Dim>>& bodies,
                          std::int32_t number) {
     const auto i = static_cast<std::size_t>(number);
-    return {look_of<Dim>(*setup.shapes[i], setup.scene.bodies[i].name), bodies[i]};
+    return {visual_of<Dim>(*setup.shapes[i], setup.scene.bodies[i].name), bodies[i]};
 }
 
 template <int Dim>
@@ -43,12 +43,12 @@ viz::Run<Dim> seen(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
     viz::Run<Dim> result;
     result.name = name;
     result.time_step = run.settings.time_step;
-    std::map<const scenes::Shape<Dim>*, viz::Look<Dim>> looks;  // bodies of one shape share it
+    std::map<const scenes::Shape<Dim>*, viz::Visual<Dim>> visuals;  // bodies of one shape share it
     for (std::size_t i = 0; i < setup.bodies.size(); ++i) {
         const scenes::Shape<Dim>* shape = setup.shapes[i].get();
-        if (looks.find(shape) == looks.end()) looks[shape] = look_of<Dim>(*shape, "");
-        result.looks.push_back(looks[shape]);
-        result.looks.back().name = setup.scene.bodies[i].name;
+        if (visuals.find(shape) == visuals.end()) visuals[shape] = visual_of<Dim>(*shape, "");
+        result.visuals.push_back(visuals[shape]);
+        result.visuals.back().name = setup.scene.bodies[i].name;
     }
     const auto bodies_in = [&](const std::vector<scenes::State<Dim>>& states) {
         std::vector<lod::Body<Dim>> bodies = setup.bodies;
@@ -73,19 +73,19 @@ void look_from(const scenes::Camera& camera, viz::Viewpoint& viewpoint) {
 }  // namespace
 
 template <int Dim>
-typename viz::Sight<Dim>::Viewpoint viewpoint_of(const scenes::Scene& scene) {
-    typename viz::Sight<Dim>::Viewpoint viewpoint;
+typename viz::DrawTraits<Dim>::Viewpoint viewpoint_of(const scenes::Scene& scene) {
+    typename viz::DrawTraits<Dim>::Viewpoint viewpoint;
     if (scene.camera) look_from(*scene.camera, viewpoint);
     return viewpoint;
 }
 
 #define CLI_INSTANTIATE(Dim)                                                             \
-    template viz::Look<Dim> look_of(const scenes::Shape<Dim>&, const std::string&);      \
+    template viz::Visual<Dim> visual_of(const scenes::Shape<Dim>&, const std::string&);  \
     template viz::Actor<Dim> actor_of(const scenes::Setup<Dim>&,                         \
                                       const std::vector<lod::Body<Dim>>&, std::int32_t); \
     template viz::Run<Dim> seen(const scenes::Setup<Dim>&, const scenes::Run<Dim>&,      \
                                 const std::string&);                                     \
-    template typename viz::Sight<Dim>::Viewpoint viewpoint_of<Dim>(const scenes::Scene&);
+    template typename viz::DrawTraits<Dim>::Viewpoint viewpoint_of<Dim>(const scenes::Scene&);
 CLI_INSTANTIATE(2)
 CLI_INSTANTIATE(3)
 #undef CLI_INSTANTIATE
@@ -99,7 +99,7 @@ viz::Figure framed(viz::Figure figure, const scenes::Scene& scene) {
     const double height = width * 9 / 16;
     for (viz::Panel& panel : figure.panels) {
         if (panel.axes) continue;
-        const viz::Point middle = viz::Sight<Dim>::on(panel, centre);
+        const viz::Point middle = viz::DrawTraits<Dim>::on(panel, centre);
         panel.view = {{middle.x - width / 2, middle.y - height / 2},
                       {middle.x + width / 2, middle.y + height / 2}};
     }

@@ -14,7 +14,7 @@ namespace cli {
 
 /// A shape's outline or surface as pictures take it.
 template <int Dim>
-[[nodiscard]] viz::Look<Dim> look_of(const scenes::Shape<Dim>& shape, const std::string& name);
+[[nodiscard]] viz::Visual<Dim> visual_of(const scenes::Shape<Dim>& shape, const std::string& name);
 
 /// A body of a staged scene, in the state that `bodies` holds.
 template <int Dim>
@@ -29,7 +29,7 @@ template <int Dim>
 
 /// From where a scene's camera sees it.
 template <int Dim>
-[[nodiscard]] typename viz::Sight<Dim>::Viewpoint viewpoint_of(const scenes::Scene& scene);
+[[nodiscard]] typename viz::DrawTraits<Dim>::Viewpoint viewpoint_of(const scenes::Scene& scene);
 
 /// The figure with its scenes seen by the scene's camera, where that says how much it sees.
 template <int Dim>

@@ -79,12 +79,12 @@ std::size_t edge_count(const lod2d::Polygon& polygon) {
 namespace {
 
 template <int Dim>
-viz::Actor<Dim> dressed(const std::string& name, viz::Look<Dim> look, double measure,
+viz::Actor<Dim> dressed(const std::string& name, viz::Visual<Dim> visual, double measure,
                         const lod::Inertia<Dim>& second_moment,
                         std::shared_ptr<const lod::SphereTree<Dim>> tree) {
     viz::Actor<Dim> result;
-    result.look = std::move(look);
-    result.look.name = name;
+    result.visual = std::move(visual);
+    result.visual.name = name;
     lod::set_mass<Dim>(result.body, measure, second_moment);
     result.body.tree = std::move(tree);
     return result;
@@ -95,12 +95,12 @@ viz::Actor<Dim> dressed(const std::string& name, viz::Look<Dim> look, double mea
 viz::Actor<2> actor(const std::string& name, const lod2d::Shape& shape,
                     std::shared_ptr<const lod::SphereTree<2>> tree) {
     const lod::Inertia<2> second_moment = lod::Inertia<2>::Constant(shape.second_moment);
-    return dressed<2>(name, viz::look_of(shape), shape.area, second_moment, std::move(tree));
+    return dressed<2>(name, viz::visual_of(shape), shape.area, second_moment, std::move(tree));
 }
 
 viz::Actor<3> actor(const std::string& name, const lod3d::Solid& solid,
                     std::shared_ptr<const lod::SphereTree<3>> tree) {
-    return dressed<3>(name, viz::look_of(solid), solid.volume, solid.second_moment,
+    return dressed<3>(name, viz::visual_of(solid), solid.volume, solid.second_moment,
                       std::move(tree));
 }
 
@@ -126,14 +126,14 @@ viz::Style style(viz::Role role, int body, int level) {
 
 template <int Dim>
 void add_ball(viz::Panel& panel, const lod::Sphere<Dim>& ball, viz::Style style) {
-    viz::Sight<Dim>::add_ball(panel, style, ball);
+    viz::DrawTraits<Dim>::add_ball(panel, style, ball);
 }
 
 template <int Dim>
 void add_dot(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& p, int body) {
-    using Sight = viz::Sight<Dim>;
+    using Traits = viz::DrawTraits<Dim>;
     panel.marks.push_back(
-        viz::Dot{style(role, body), Sight::on(panel, p), 1, Sight::depth(panel, p)});
+        viz::Dot{style(role, body), Traits::on(panel, p), 1, Traits::depth(panel, p)});
 }
 
 template <int Dim>
@@ -152,9 +152,9 @@ void add_arrow(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& tail,
 template <int Dim>
 void add_label(viz::Panel& panel, viz::Role role, const lod::Vector<Dim>& anchor,
                const std::string& text, int body, double clearance) {
-    using Sight = viz::Sight<Dim>;
-    panel.marks.push_back(viz::Label{style(role, body), Sight::on(panel, anchor), text,
-                                     clearance * Sight::magnification(panel, anchor)});
+    using Traits = viz::DrawTraits<Dim>;
+    panel.marks.push_back(viz::Label{style(role, body), Traits::on(panel, anchor), text,
+                                     clearance * Traits::magnification(panel, anchor)});
 }
 
 template <int Dim>

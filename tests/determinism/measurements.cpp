@@ -6,11 +6,11 @@
 namespace {
 
 template <int Dim>
-void add_curves(const std::string& where, std::vector<std::string> shapes,
+void add_curves(const std::string& where, std::vector<std::string> names,
                 const std::string& builder, int impacts, Report& report) {
     measure::Plan plan;
     plan.dim = Dim;
-    plan.shapes = std::move(shapes);
+    plan.shapes = std::move(names);
     plan.builder = builder;
     plan.depth = 2;
     plan.impacts = impacts;
@@ -18,11 +18,11 @@ void add_curves(const std::string& where, std::vector<std::string> shapes,
     plan.models = {lod::ContactModel::centre_line, lod::ContactModel::node_normal,
                    lod::ContactModel::hull};
     plan.responses = {lod::Response::net};
-    std::vector<measure::Kind<Dim>> kinds;
+    std::vector<measure::MeasuredShape<Dim>> shapes;
     for (const std::string& shape : plan.shapes)
-        kinds.push_back(measure::make_kind<Dim>(shape, scenes::Shapes<Dim>::named(shape, {}),
-                                                {builder, {}, plan.depth, {}, {}, {}}, {}));
-    const measure::Outcomes outcomes = measure::degrade<Dim>(plan, kinds);
+        shapes.push_back(measure::measured_shape<Dim>(shape, scenes::Shapes<Dim>::named(shape, {}),
+                                                      {builder, {}, plan.depth, {}, {}, {}}, {}));
+    const measure::Outcomes outcomes = measure::degrade<Dim>(plan, shapes);
     report.add_text("degradation in " + where + ", every outcome",
                     measure::outcomes_json(outcomes));
     report.add_text("degradation in " + where + ", its curves",

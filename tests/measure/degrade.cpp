@@ -12,29 +12,30 @@ using lod::Response;
 
 /// Kinds with shallow trees, built once for all tests.
 template <int Dim>
-const std::vector<measure::Kind<Dim>>& kinds();
+const std::vector<measure::MeasuredShape<Dim>>& shapes();
 
-std::vector<measure::Kind<2>> made_in_plane() {
-    std::vector<measure::Kind<2>> made;
+std::vector<measure::MeasuredShape<2>> made_in_plane() {
+    std::vector<measure::MeasuredShape<2>> made;
     scenes::TreeChoice tree;
     tree.depth = 4;
     for (const char* spec : {"box", "L", "star:5"})
-        made.push_back(measure::make_kind<2>(spec, scenes::Shapes<2>::named(spec, {}), tree, {}));
+        made.push_back(
+            measure::measured_shape<2>(spec, scenes::Shapes<2>::named(spec, {}), tree, {}));
     return made;
 }
-std::vector<measure::Kind<3>> made_in_space() {
+std::vector<measure::MeasuredShape<3>> made_in_space() {
     scenes::TreeChoice tree;
     tree.depth = 2;
     tree.builder = "octree";
-    return {measure::make_kind<3>("box", scenes::Shapes<3>::named("box", {}), tree, {})};
+    return {measure::measured_shape<3>("box", scenes::Shapes<3>::named("box", {}), tree, {})};
 }
 template <>
-const std::vector<measure::Kind<2>>& kinds<2>() {
+const std::vector<measure::MeasuredShape<2>>& shapes<2>() {
     static const auto made = made_in_plane();
     return made;
 }
 template <>
-const std::vector<measure::Kind<3>>& kinds<3>() {
+const std::vector<measure::MeasuredShape<3>>& shapes<3>() {
     static const auto made = made_in_space();
     return made;
 }
@@ -77,7 +78,7 @@ TEST_CASE("a spread takes values that were measured, by nearest rank") {
 
 TEST_CASE("an impact of an ensemble does not depend on the others") {
     const measure::EnsembleSettings settings;
-    const std::span<const measure::Kind<2>> all(kinds<2>());
+    const std::span<const measure::MeasuredShape<2>> all(shapes<2>());
     const auto fifth = measure::draw_approach<2>(all, settings, 5, 1.0 / 960);
     (void)measure::draw_approach<2>(all, settings, 4, 1.0 / 960);
     const auto again = measure::draw_approach<2>(all, settings, 5, 1.0 / 960);
@@ -92,7 +93,7 @@ TEST_CASE("an impact of an ensemble does not depend on the others") {
 
 TEMPLATE_TEST_CASE_SIG("the exact level is exact and no gap is beyond its bound", "[degrade]",
                        ((int Dim), Dim), 2, 3) {
-    const auto outcomes = measure::degrade<Dim>(plan(Dim, Dim == 2 ? 60 : 6), kinds<Dim>());
+    const auto outcomes = measure::degrade<Dim>(plan(Dim, Dim == 2 ? 60 : 6), shapes<Dim>());
     const std::size_t levels = outcomes.plan.levels();
     // In space a frame goes back in time by a step of free rotation, which undoes a step to second
     // order in the angle, some 0.003.
@@ -110,7 +111,7 @@ TEMPLATE_TEST_CASE_SIG("the exact level is exact and no gap is beyond its bound"
 }
 
 TEST_CASE("with node normals every level answers better than the one before") {
-    const auto curves = measure::curves_of(measure::degrade<2>(plan(2, 100), kinds<2>()));
+    const auto curves = measure::curves_of(measure::degrade<2>(plan(2, 100), shapes<2>()));
     REQUIRE(curves.size() == 2);
     const measure::DegradationCurve& by_surface = curves[1];
     CHECK(by_surface.model == ContactModel::node_normal);
@@ -124,11 +125,11 @@ TEST_CASE("with node normals every level answers better than the one before") {
 
 TEST_CASE("shares put together have the bits of one run, through files too") {
     const measure::Plan all = plan(2, 10);
-    const auto whole = measure::degrade<2>(all, kinds<2>());
+    const auto whole = measure::degrade<2>(all, shapes<2>());
     REQUIRE(whole.complete());
     std::vector<measure::Outcomes> shares;
     for (const int index : {2, 3, 1}) {
-        const auto share = measure::degrade<2>(all, kinds<2>(), {.share = {index, 3}});
+        const auto share = measure::degrade<2>(all, shapes<2>(), {.share = {index, 3}});
         CHECK(share.impacts.size() == (index == 1 ? 4u : 3u));
         shares.push_back(measure::outcomes_from_json(measure::outcomes_json(share), "share"));
     }
@@ -146,9 +147,9 @@ TEST_CASE("shares put together have the bits of one run, through files too") {
 
 TEST_CASE("frames that are skipped would have changed nothing") {
     const measure::Plan settings = plan(2, 5);
-    const auto outcomes = measure::degrade<2>(settings, kinds<2>());
+    const auto outcomes = measure::degrade<2>(settings, shapes<2>());
     for (const measure::ImpactSample& impact : outcomes.impacts) {
-        const auto approach = measure::draw_approach<2>(kinds<2>(), settings.ensemble,
+        const auto approach = measure::draw_approach<2>(shapes<2>(), settings.ensemble,
                                                         static_cast<std::uint64_t>(impact.number),
                                                         settings.time_step);
         for (int level = 0; level <= settings.depth; ++level) {
@@ -174,10 +175,10 @@ TEST_CASE("frames that are skipped would have changed nothing") {
 }
 
 TEST_CASE("bodies may move by their clearance before a level has a front") {
-    const auto& kind = kinds<2>()[2];
+    const auto& shape = shapes<2>()[2];
     for (int trial = 0; trial < 40; ++trial) {
-        lod::Body<2> a = kind.body;
-        lod::Body<2> b = kind.body;
+        lod::Body<2> a = shape.body;
+        lod::Body<2> b = shape.body;
         b.position = {0.6 + 0.015 * trial, 0.1};
         b.orientation = 0.1 * trial;
         lod::PosedTree<2> world_a;

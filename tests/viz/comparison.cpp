@@ -18,7 +18,7 @@ Run<2> flight(const std::string& name, double speed) {
     Actor<2> star = sample::actor("star:5", 0, 0, 0, 1);
     Actor<2> wall = sample::actor("box:0.5,3", 4, 0, 0, 1);
     lod::make_static(wall.body);
-    run.looks = {star.look, wall.look};
+    run.visuals = {star.visual, wall.visual};
     star.body.velocity = {speed, 0};
     for (int i = 0; i <= 4; ++i) {
         add_instant(run, {star.body, wall.body}, {});

@@ -43,7 +43,7 @@ Run<2> head_on(int frames) {
     Run<2> run;
     run.name = "exact";
     run.time_step = 1.0 / 64;
-    run.looks = {{"A", {}}, {"B", {}}};
+    run.visuals = {{"A", {}}, {"B", {}}};
     std::vector<lod::Body<2>> bodies{disc(1, -1, 2), disc(3, 1, -1)};
     lod::FrameSettings settings;
     settings.time_step = run.time_step;

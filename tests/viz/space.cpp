@@ -4,7 +4,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod3d/solid/generators.hpp"
-#include "lodlab/viz/draw/sight.hpp"
+#include "lodlab/viz/draw/draw_traits.hpp"
 #include "lodlab/viz/draw/surface.hpp"
 #include "lodlab/viz/figure/check.hpp"
 #include "lodlab/viz/paint/space/render.hpp"

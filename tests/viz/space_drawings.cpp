@@ -18,7 +18,7 @@ namespace {
 /// A cube of side 1 with the density 1; octrees are quick to build.
 Actor<3> cube(double x, int depth) {
     static const lod3d::Solid solid = lod3d::generate("box:1,1,1");
-    Actor<3> actor{look_of(solid), {}};
+    Actor<3> actor{visual_of(solid), {}};
     lod::set_mass<3>(actor.body, solid.volume, solid.second_moment);
     actor.body.tree = std::make_shared<const lod::SphereTree<3>>(
         lod3d::build_tree(solid, {.builder = lod3d::Builder::octree, .depth = depth}));
@@ -40,7 +40,7 @@ Run<3> head_on(int frames) {
     Run<3> run;
     run.name = "exact";
     run.time_step = 1.0 / 64;
-    run.looks = {{"A", {}}, {"B", {}}};
+    run.visuals = {{"A", {}}, {"B", {}}};
     std::vector<lod::Body<3>> bodies{body(1, -1, 2), body(3, 1, -1)};
     lod::FrameSettings settings;
     settings.time_step = run.time_step;
@@ -79,7 +79,7 @@ TEST_CASE("a sphere tree's montage holds each level's spheres and the mesh", "[s
         CHECK(balls_of(panel, Role::level_node) ==
               static_cast<int>(actor.body.tree->level_nodes(level).size()));
         REQUIRE(panel.space->facets.size() == 1);
-        CHECK(panel.space->facets[0].surface == actor.look.outline);  // shared, not copied
+        CHECK(panel.space->facets[0].surface == actor.visual.outline);  // shared, not copied
         CHECK(panel.space->camera.eye == figure.panels[0].space->camera.eye);
     }
     CHECK_THAT(figure.title, lodtest::contains("spheres"));
@@ -226,13 +226,13 @@ TEST_CASE("the outline of a projected cube is the hexagon or square that it show
         return doubled / 2;
     };
     const ProjectionPlane front;
-    CHECK(area_of(projected_outline(*actor.look.outline, actor.body, front)) ==
+    CHECK(area_of(projected_outline(*actor.visual.outline, actor.body, front)) ==
           Approx(1).epsilon(1e-6));
     // Seen along a diagonal a unit cube shows a hexagon of area sqrt 3.
     const Vector3 diagonal = Vector3(1, 1, 1).normalized();
     const Vector3 along = Vector3(1, -1, 0).normalized();
     const ProjectionPlane slanted{along, diagonal.cross(along)};
-    const std::vector<Ring> hexagon = projected_outline(*actor.look.outline, actor.body, slanted);
+    const std::vector<Ring> hexagon = projected_outline(*actor.visual.outline, actor.body, slanted);
     REQUIRE(hexagon.size() == 1);
     CHECK(hexagon[0].size() == 6);
     CHECK(area_of(hexagon) == Approx(std::sqrt(3.0)).epsilon(1e-6));

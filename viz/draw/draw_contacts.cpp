@@ -27,7 +27,7 @@ std::vector<int> legible_levels(const std::vector<lod::Front>& fronts) {
 template <int Dim>
 View<Dim> view_of_contacts(const Actor<Dim>& a, const Actor<Dim>& b,
                            const std::vector<lod::Front>& fronts, const std::vector<int>& levels,
-                           const typename Sight<Dim>::Viewpoint& viewpoint) {
+                           const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     View<Dim> view(viewpoint, way_between(a.body, b.body));
     take_in<Dim>(view, a);
     take_in<Dim>(view, b);
@@ -48,8 +48,8 @@ Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const lod::Front& fr
     Panel panel = blank_panel<Dim>(view);
     panel.title = "Level " + std::to_string(front.level) + ": " +
                   count_text(static_cast<long long>(contacts.size()), "contact");
-    add_body(panel, a, 0, Sight<Dim>::see_through);
-    add_body(panel, b, 1, Sight<Dim>::see_through);
+    add_body(panel, a, 0, DrawTraits<Dim>::see_through);
+    add_body(panel, b, 1, DrawTraits<Dim>::see_through);
     add_meeting_nodes<Dim>(panel, {a.body, 0}, {b.body, 1}, front.pairs, 0.6);
     add_normals<Dim>(panel, contacts, 0.14 * longer_side(panel.view));
     add_contact_points<Dim>(panel, contacts);
@@ -111,12 +111,12 @@ void add_plane(Marks& marks, const lod::Sphere<2>& a, const lod::Sphere<2>& b, c
 template <int Dim>
 Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
                          const std::vector<lod::Front>& fronts, const ContactsChoice& choice,
-                         const typename Sight<Dim>::Viewpoint& viewpoint) {
+                         const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     const lod::PointModel model = choice.model;
     const std::vector<int> levels = choice.levels.empty() ? legible_levels(fronts) : choice.levels;
     const View<Dim> view = view_of_contacts(a, b, fronts, levels, viewpoint);
-    const std::string name_a = shown_name<Dim>({a.look, b.look}, 0);
-    const std::string name_b = shown_name<Dim>({a.look, b.look}, 1);
+    const std::string name_a = shown_name<Dim>({a.visual, b.visual}, 0);
+    const std::string name_b = shown_name<Dim>({a.visual, b.visual}, 1);
     Figure figure;
     figure.title = "One touch of two faces becomes ever more sphere contacts";
     figure.caption =
@@ -187,9 +187,9 @@ Figure contact_construction(const lod::Sphere<2>& a, const lod::Sphere<2>& b) {
 
 template Figure contacts_by_level<2>(const Actor<2>&, const Actor<2>&,
                                      const std::vector<lod::Front>&, const ContactsChoice&,
-                                     const Sight<2>::Viewpoint&);
+                                     const DrawTraits<2>::Viewpoint&);
 template Figure contacts_by_level<3>(const Actor<3>&, const Actor<3>&,
                                      const std::vector<lod::Front>&, const ContactsChoice&,
-                                     const Sight<3>::Viewpoint&);
+                                     const DrawTraits<3>::Viewpoint&);
 
 }  // namespace viz

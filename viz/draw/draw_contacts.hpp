@@ -21,7 +21,7 @@ template <int Dim>
 [[nodiscard]] Figure contacts_by_level(const Actor<Dim>& a, const Actor<Dim>& b,
                                        const std::vector<lod::Front>& fronts,
                                        const ContactsChoice& choice = {},
-                                       const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                                       const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// How the contact point and normal of two overlapping nodes are found (the paper's figure 4): the
 /// centre line, the point that divides it by the radii (eq. 5) and, beside it, the point on the

@@ -53,8 +53,8 @@ void add_bodies(Panel& panel, FlatView& view, const Actor<3>& actor, const Proje
                 int number) {
     const Role role = actor.body.is_static() ? Role::wall : Role::body;
     const Style style{.role = role, .body = number};
-    if (!actor.look.outline) return;
-    Path path{style, projected_outline(*actor.look.outline, actor.body, plane)};
+    if (!actor.visual.outline) return;
+    Path path{style, projected_outline(*actor.visual.outline, actor.body, plane)};
     for (const Ring& ring : path.rings)
         for (const Point& p : ring) view.take_in({p.x, p.y}, 0);
     panel.marks.push_back(std::move(path));
@@ -118,8 +118,8 @@ Figure projected_collision(const Actor<3>& a, const Actor<3>& b, const lod::Fram
         contacts.push_back(
             record.impacts[static_cast<std::size_t>(pair.first_contact + c)].contact);
     const ProjectionPlane plane = projection_plane(contacts);
-    const std::string name_a = shown_name<3>({a.look, b.look}, 0);
-    const std::string name_b = shown_name<3>({a.look, b.look}, 1);
+    const std::string name_a = shown_name<3>({a.visual, b.visual}, 0);
+    const std::string name_b = shown_name<3>({a.visual, b.visual}, 1);
     Panel in_space = blank_panel<3>(SpaceView());
     add_meeting_nodes<3>(in_space, {a.body, 0}, {b.body, 1}, record.nodes_of(pair.nodes));
 

@@ -24,25 +24,25 @@ std::vector<int> leaves_of(const lod::SphereTree<Dim>& tree) {
 template <int Dim>
 void add_outline(Panel& panel, const Actor<Dim>& actor, const Style& style) {
     if (actor.body.tree && actor.body.tree->is_half_space())
-        return Sight<Dim>::add_half_space(panel, style, actor.look.outline, actor.body);
-    if (Sight<Dim>::shown(actor.look.outline))
-        return Sight<Dim>::add_outline(panel, style, actor.look.outline, actor.body);
+        return DrawTraits<Dim>::add_half_space(panel, style, actor.visual.outline, actor.body);
+    if (DrawTraits<Dim>::shown(actor.visual.outline))
+        return DrawTraits<Dim>::add_outline(panel, style, actor.visual.outline, actor.body);
     for (const int leaf : leaves_of(*actor.body.tree))
-        Sight<Dim>::add_ball(panel, style, carried_node(actor.body, leaf));
+        DrawTraits<Dim>::add_ball(panel, style, carried_node(actor.body, leaf));
 }
 
 }  // namespace
 
 template <int Dim>
 Panel blank_panel(const View<Dim>& view) {
-    return Sight<Dim>::panel(view);
+    return DrawTraits<Dim>::panel(view);
 }
 
 template <int Dim>
 void add_body(Panel& panel, const Actor<Dim>& actor, int number, double opacity) {
     const Role role = actor.body.is_static() ? Role::wall : Role::body;
     add_outline(panel, actor, {.role = role, .body = number, .opacity = opacity});
-    Sight<Dim>::add_shadow(panel, actor.body);
+    DrawTraits<Dim>::add_shadow(panel, actor.body);
 }
 
 template <int Dim>
@@ -57,7 +57,7 @@ void add_nodes(Panel& panel, const lod::Body<Dim>& body, std::span<const int> no
     for (const int node : nodes) {
         Style own = style;
         own.level = body.tree->level_of(node);
-        Sight<Dim>::add_ball(panel, own, carried_node(body, node));
+        DrawTraits<Dim>::add_ball(panel, own, carried_node(body, node));
     }
 }
 
@@ -90,17 +90,17 @@ void add_contact_points(Panel& panel, std::span<const lod::Contact<Dim>> contact
                                                           : 1.0;
     for (const lod::Contact<Dim>& contact : contacts)
         panel.marks.push_back(Dot{{.role = Role::contact, .opacity = opacity},
-                                  Sight<Dim>::on(panel, contact.point),
+                                  DrawTraits<Dim>::on(panel, contact.point),
                                   size,
-                                  Sight<Dim>::depth(panel, contact.point)});
+                                  DrawTraits<Dim>::depth(panel, contact.point)});
 }
 
 template <int Dim>
 void add_arrow(Panel& panel, const Style& style, const lod::Vector<Dim>& tail,
                const lod::Vector<Dim>& tip, const std::string& label) {
-    panel.marks.push_back(Arrow{style, Sight<Dim>::on(panel, tail), Sight<Dim>::on(panel, tip),
-                                label, Sight<Dim>::depth(panel, tail),
-                                Sight<Dim>::depth(panel, tip)});
+    panel.marks.push_back(
+        Arrow{style, DrawTraits<Dim>::on(panel, tail), DrawTraits<Dim>::on(panel, tip), label,
+              DrawTraits<Dim>::depth(panel, tail), DrawTraits<Dim>::depth(panel, tip)});
 }
 
 template <int Dim>
@@ -109,8 +109,8 @@ void add_line(Panel& panel, const Style& style, std::span<const lod::Vector<Dim>
     if (points.size() < 2) return;
     Polyline line{style, {}, start_opacity, {}};
     for (const lod::Vector<Dim>& p : points) {
-        line.points.push_back(Sight<Dim>::on(panel, p));
-        line.depths.push_back(Sight<Dim>::depth(panel, p));
+        line.points.push_back(DrawTraits<Dim>::on(panel, p));
+        line.depths.push_back(DrawTraits<Dim>::depth(panel, p));
     }
     panel.marks.push_back(std::move(line));
 }
@@ -131,7 +131,7 @@ void add_velocity(Panel& panel, const NumberedBody<Dim>& numbered, double metres
     const double speed = body.velocity.norm();
     if (speed == 0) return;
     std::string words = quantity_text(speed, "m/s", 2);
-    const double turning = Sight<Dim>::amount(body.spin);
+    const double turning = DrawTraits<Dim>::amount(body.spin);
     if (spin == SpinWords::shown && turning != 0)
         words.append("\n").append(quantity_text(turning, "rad/s", 2));
     add_arrow<Dim>(panel, {.role = Role::velocity, .body = numbered.number, .opacity = opacity},
@@ -139,31 +139,31 @@ void add_velocity(Panel& panel, const NumberedBody<Dim>& numbered, double metres
 }
 
 template <int Dim>
-std::string shown_name(const std::vector<Look<Dim>>& looks, std::size_t number) {
-    if (number >= looks.size()) return {};
-    const std::string& name = looks[number].name;
-    const auto same = std::count_if(looks.begin(), looks.end(),
-                                    [&](const Look<Dim>& look) { return look.name == name; });
+std::string shown_name(const std::vector<Visual<Dim>>& visuals, std::size_t number) {
+    if (number >= visuals.size()) return {};
+    const std::string& name = visuals[number].name;
+    const auto same = std::count_if(visuals.begin(), visuals.end(),
+                                    [&](const Visual<Dim>& visual) { return visual.name == name; });
     if (same == 1 || number >= 26) return name;
     return name + (name.empty() ? "" : " ") + static_cast<char>('A' + number);
 }
 
 template <int Dim>
 void add_names(Panel& panel, const Actor<Dim>& a, const Actor<Dim>& b, Beside beside) {
-    const std::vector<Look<Dim>> looks{a.look, b.look};
+    const std::vector<Visual<Dim>> visuals{a.visual, b.visual};
     if (beside == Beside::roots) {
         for (const int number : {0, 1}) {
             const lod::Sphere<Dim> root = carried_node((number == 0 ? a : b).body, 0);
             panel.marks.push_back(
                 Label{{.role = Role::body, .body = number},
-                      Sight<Dim>::on(panel, root.centre),
-                      literal_text(shown_name(looks, static_cast<std::size_t>(number))),
-                      root.radius * Sight<Dim>::magnification(panel, root.centre)});
+                      DrawTraits<Dim>::on(panel, root.centre),
+                      literal_text(shown_name(visuals, static_cast<std::size_t>(number))),
+                      root.radius * DrawTraits<Dim>::magnification(panel, root.centre)});
         }
         return;
     }
-    add_name(panel, a, shown_name(looks, 0), 0, Sight<Dim>::on(panel, b.body.position));
-    add_name(panel, b, shown_name(looks, 1), 1, Sight<Dim>::on(panel, a.body.position));
+    add_name(panel, a, shown_name(visuals, 0), 0, DrawTraits<Dim>::on(panel, b.body.position));
+    add_name(panel, b, shown_name(visuals, 1), 1, DrawTraits<Dim>::on(panel, a.body.position));
 }
 
 template <int Dim>
@@ -171,7 +171,7 @@ void add_name(Panel& panel, const Actor<Dim>& actor, const std::string& name, in
               Point away_from) {
     // The outline's point that lies furthest out on the side away from the other body.
     const auto on_panel = [&](const lod::Vector<Dim>& v) {
-        const Point p = Sight<Dim>::on(panel, v);
+        const Point p = DrawTraits<Dim>::on(panel, v);
         return lod::Vector<2>(p.x, p.y);
     };
     const lod::Body<Dim>& body = actor.body;
@@ -181,7 +181,7 @@ void add_name(Panel& panel, const Actor<Dim>& actor, const std::string& name, in
     const lod::Matrix<Dim> R = lod::Space<Dim>::rotation(body.orientation);
     Point furthest = point_of(centre);
     double most = 0;
-    for (const lod::Vector<Dim>& local : Sight<Dim>::points_of(actor.look.outline)) {
+    for (const lod::Vector<Dim>& local : DrawTraits<Dim>::points_of(actor.visual.outline)) {
         const lod::Vector<2> p = on_panel(body.position + R * local);
         const double along = outward.dot(p - centre);
         if (along <= most) continue;
@@ -195,12 +195,12 @@ void add_name(Panel& panel, const Actor<Dim>& actor, const std::string& name, in
 template <int Dim>
 Actor<Dim> actor_of(const Run<Dim>& run, std::size_t instant, int number) {
     const auto i = static_cast<std::size_t>(number);
-    return {i < run.looks.size() ? run.looks[i] : Look<Dim>{}, run.instants[instant].bodies[i]};
+    return {visual_at(run, i), run.instants[instant].bodies[i]};
 }
 
 template <int Dim>
 double gap(const Actor<Dim>& a, const Actor<Dim>& b) {
-    return Sight<Dim>::gap(a.look.outline, a.body, b.look.outline, b.body);
+    return DrawTraits<Dim>::gap(a.visual.outline, a.body, b.visual.outline, b.body);
 }
 
 template <int Dim>
@@ -252,8 +252,8 @@ template void add_line<2>(Panel&, const Style&, std::span<const lod::Vector<2>>,
 template void add_line<3>(Panel&, const Style&, std::span<const lod::Vector<3>>, double);
 template void add_velocity<2>(Panel&, const NumberedBody<2>&, double, double, SpinWords);
 template void add_velocity<3>(Panel&, const NumberedBody<3>&, double, double, SpinWords);
-template std::string shown_name<2>(const std::vector<Look<2>>&, std::size_t);
-template std::string shown_name<3>(const std::vector<Look<3>>&, std::size_t);
+template std::string shown_name<2>(const std::vector<Visual<2>>&, std::size_t);
+template std::string shown_name<3>(const std::vector<Visual<3>>&, std::size_t);
 template void add_name<2>(Panel&, const Actor<2>&, const std::string&, int, Point);
 template void add_name<3>(Panel&, const Actor<3>&, const std::string&, int, Point);
 template void add_names<2>(Panel&, const Actor<2>&, const Actor<2>&, Beside);

@@ -81,7 +81,7 @@ void add_velocity(Panel& panel, const NumberedBody<Dim>& numbered, double metres
 
 /// The name of one of several bodies, with a letter behind it where two have the same.
 template <int Dim>
-[[nodiscard]] std::string shown_name(const std::vector<Look<Dim>>& looks, std::size_t number);
+[[nodiscard]] std::string shown_name(const std::vector<Visual<Dim>>& visuals, std::size_t number);
 
 /// A name beside the body's outline, on the side away from a point of the panel.
 template <int Dim>

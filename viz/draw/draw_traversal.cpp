@@ -35,8 +35,8 @@ Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lo
     const lod::Front& front = front_at(fronts, level);
     Panel panel = blank_panel<Dim>(view);
     panel.title = "Level " + std::to_string(level) + ": " + verdict_words(front.verdict);
-    add_body(panel, a, 0, Sight<Dim>::see_through);
-    add_body(panel, b, 1, Sight<Dim>::see_through);
+    add_body(panel, a, 0, DrawTraits<Dim>::see_through);
+    add_body(panel, b, 1, DrawTraits<Dim>::see_through);
     const TestedNodes tested = tested_nodes(a.body, b.body, fronts, level);
     add_nodes<Dim>(panel, a.body, tested.a, Role::node, 0);
     add_nodes<Dim>(panel, b.body, tested.b, Role::node, 1);
@@ -48,7 +48,7 @@ Panel level_panel(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lo
 template <int Dim>
 View<Dim> view_of_tested(const Actor<Dim>& a, const Actor<Dim>& b,
                          const std::vector<lod::Front>& fronts, const std::vector<int>& levels,
-                         const typename Sight<Dim>::Viewpoint& viewpoint) {
+                         const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     View<Dim> view(viewpoint, way_between(a.body, b.body));
     take_in<Dim>(view, a);
     take_in<Dim>(view, b);
@@ -62,8 +62,8 @@ View<Dim> view_of_tested(const Actor<Dim>& a, const Actor<Dim>& b,
 
 template <int Dim>
 std::string names_of(const Actor<Dim>& a, const Actor<Dim>& b) {
-    return literal_text(shown_name<Dim>({a.look, b.look}, 0)) + " and " +
-           literal_text(shown_name<Dim>({a.look, b.look}, 1));
+    return literal_text(shown_name<Dim>({a.visual, b.visual}, 0)) + " and " +
+           literal_text(shown_name<Dim>({a.visual, b.visual}, 1));
 }
 
 std::string level_words(const std::vector<lod::Front>& fronts, int level) {
@@ -77,7 +77,7 @@ std::string level_words(const std::vector<lod::Front>& fronts, int level) {
 template <int Dim>
 std::string alt_text(const Actor<Dim>& a, const Actor<Dim>& b,
                      const std::vector<lod::Front>& fronts, const std::vector<int>& levels) {
-    std::string alt = std::string("The ") + Sight<Dim>::ball_word + " trees of " +
+    std::string alt = std::string("The ") + DrawTraits<Dim>::ball_word + " trees of " +
                       plain_text(names_of(a, b)) + " tested against each other, one panel a level.";
     for (const int level : levels) alt += " At " + level_words(fronts, level) + ".";
     return alt;
@@ -116,13 +116,14 @@ TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
 
 template <int Dim>
 Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
-                 const TraversalChoice& choice, const typename Sight<Dim>::Viewpoint& viewpoint) {
+                 const TraversalChoice& choice,
+                 const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     const bool proved_apart = choice.proved_apart;
     const std::vector<int> levels =
         choice.levels.empty() ? montage_levels(static_cast<int>(fronts.size())) : choice.levels;
     Figure figure;
     figure.title = proved_apart ? names_of(a, b) + " do not collide: their " +
-                                      Sight<Dim>::ball_word + "s meet, what they hold does not"
+                                      DrawTraits<Dim>::ball_word + "s meet, what they hold does not"
                                 : title(a, b, front_at(fronts, levels.back()));
     figure.numbers = {{"node tests", number_text(static_cast<double>(fronts.back().tests), 9)}};
     figure.caption =
@@ -142,7 +143,7 @@ Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod
 template <int Dim>
 Figure traversal_level(const Actor<Dim>& a, const Actor<Dim>& b,
                        const std::vector<lod::Front>& fronts, int level,
-                       const typename Sight<Dim>::Viewpoint& viewpoint) {
+                       const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     const lod::Front& front = front_at(fronts, level);
     Figure figure;
     figure.title = "Level " + std::to_string(level) + ": " + verdict_words(front.verdict);
@@ -154,7 +155,7 @@ Figure traversal_level(const Actor<Dim>& a, const Actor<Dim>& b,
     figure.caption =
         "Bold: nodes that intersect, whose children are tested next. Thin grey: "
         "nodes tested that meet nothing.";
-    figure.alt = std::string("The ") + Sight<Dim>::ball_word + " trees of " +
+    figure.alt = std::string("The ") + DrawTraits<Dim>::ball_word + " trees of " +
                  plain_text(names_of(a, b)) + " at " + level_words(fronts, level) + ".";
     std::vector<int> every;  // so that the steps of one traversal share a view
     for (std::size_t i = 0; i < fronts.size(); ++i) every.push_back(static_cast<int>(i));
@@ -170,12 +171,12 @@ template TestedNodes tested_nodes<2>(const lod::Body<2>&, const lod::Body<2>&,
 template TestedNodes tested_nodes<3>(const lod::Body<3>&, const lod::Body<3>&,
                                      const std::vector<lod::Front>&, int);
 template Figure traversal<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
-                             const TraversalChoice&, const Sight<2>::Viewpoint&);
+                             const TraversalChoice&, const DrawTraits<2>::Viewpoint&);
 template Figure traversal<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,
-                             const TraversalChoice&, const Sight<3>::Viewpoint&);
+                             const TraversalChoice&, const DrawTraits<3>::Viewpoint&);
 template Figure traversal_level<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
-                                   int, const Sight<2>::Viewpoint&);
+                                   int, const DrawTraits<2>::Viewpoint&);
 template Figure traversal_level<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,
-                                   int, const Sight<3>::Viewpoint&);
+                                   int, const DrawTraits<3>::Viewpoint&);
 
 }  // namespace viz

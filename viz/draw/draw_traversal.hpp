@@ -22,13 +22,13 @@ template <int Dim>
 [[nodiscard]] Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b,
                                const std::vector<lod::Front>& fronts,
                                const TraversalChoice& choice = {},
-                               const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                               const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// One level of it: a step of a lesson.
 template <int Dim>
 [[nodiscard]] Figure traversal_level(const Actor<Dim>& a, const Actor<Dim>& b,
                                      const std::vector<lod::Front>& fronts, int level,
-                                     const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                                     const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// The nodes of A (or B) that the tests of a level touched, in order.
 struct TestedNodes {

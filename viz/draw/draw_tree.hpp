@@ -12,12 +12,12 @@ namespace viz {
 /// there are more than six. The body is drawn as it stands.
 template <int Dim>
 [[nodiscard]] Figure tree_levels(const Actor<Dim>& actor, std::vector<int> levels = {},
-                                 const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                                 const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// One level of it, for a picture of its own.
 template <int Dim>
 [[nodiscard]] Figure tree_level(const Actor<Dim>& actor, int level,
-                                const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                                const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// The levels that a montage of so many shows.
 [[nodiscard]] std::vector<int> montage_levels(int count);

@@ -69,11 +69,11 @@ Figure picture(const TurntableShot& film, int frame) {
     const auto count = static_cast<long long>(film.actor.body.tree->level_nodes(shown).size());
     Figure figure;
     figure.title = film.choice.title.empty()
-                       ? "The sphere tree of " + literal_text(film.actor.look.name)
+                       ? "The sphere tree of " + literal_text(film.actor.visual.name)
                        : film.choice.title;
     figure.numbers = {{"level", std::to_string(shown)},
                       {"spheres", number_text(static_cast<double>(count), 9)}};
-    figure.alt = "The sphere tree of " + film.actor.look.name + " from one side: level " +
+    figure.alt = "The sphere tree of " + film.actor.visual.name + " from one side: level " +
                  std::to_string(shown) + ", " + count_text(count, "sphere") + ".";
     figure.scale_bar = false;  // in perspective a metre has no one length
     figure.panels.push_back(std::move(panel));
@@ -94,7 +94,7 @@ Animation turntable(const Actor<3>& actor, std::vector<int> levels, const Turnta
         actor, std::move(levels), choice, whole, std::max(1, static_cast<int>(frames))});
     Animation animation;
     animation.frames_per_second = choice.frames_per_second;
-    animation.title = "The sphere tree of " + actor.look.name;
+    animation.title = "The sphere tree of " + actor.visual.name;
     for (int frame = 0; frame < film->frames(); ++frame)
         animation.shots.push_back({[film, frame] { return picture(*film, frame); }, 1});
     return animation;

@@ -7,16 +7,16 @@
 
 namespace viz {
 
-Look<2> look_of(const lod2d::Shape& shape) {
-    Look<2> look{shape.name, {}};
+Visual<2> visual_of(const lod2d::Shape& shape) {
+    Visual<2> visual{shape.name, {}};
     for (const lod2d::Ring& ring : shape.polygon.rings) {
-        look.outline.emplace_back();
-        for (const lod2d::Point& p : ring) look.outline.back().push_back({p.x(), p.y()});
+        visual.outline.emplace_back();
+        for (const lod2d::Point& p : ring) visual.outline.back().push_back({p.x(), p.y()});
     }
-    return look;
+    return visual;
 }
 
-Look<3> look_of(const lod3d::Solid& solid) {
+Visual<3> visual_of(const lod3d::Solid& solid) {
     return {solid.name, std::make_shared<const Surface>(surface_of(solid.mesh))};
 }
 
@@ -53,9 +53,9 @@ void take_in(View<Dim>& view, const Actor<Dim>& actor) {
     const lod::Body<Dim>& body = actor.body;
     if (body.tree && body.tree->is_half_space()) return;  // it is everywhere
     const lod::Matrix<Dim> R = lod::Space<Dim>::rotation(body.orientation);
-    for (const lod::Vector<Dim>& p : Sight<Dim>::points_of(actor.look.outline))
+    for (const lod::Vector<Dim>& p : DrawTraits<Dim>::points_of(actor.visual.outline))
         view.take_in(body.position + R * p, 0);
-    if (Sight<Dim>::shown(actor.look.outline) || !body.tree) return;
+    if (DrawTraits<Dim>::shown(actor.visual.outline) || !body.tree) return;
     for (int node = 0; node < body.tree->size(); ++node)
         if (body.tree->is_leaf(node)) take_in<Dim>(view, carried_node(body, node));
 }
@@ -70,8 +70,7 @@ void take_in(View<Dim>& view, const Run<Dim>& run, std::size_t until) {
     for (std::size_t i = 0; i <= until; ++i) {
         const auto& bodies = run.instants[i].bodies;
         for (std::size_t b = 0; b < bodies.size(); ++b)
-            take_in<Dim>(view,
-                         Actor<Dim>{b < run.looks.size() ? run.looks[b] : Look<Dim>{}, bodies[b]});
+            take_in<Dim>(view, Actor<Dim>{visual_at(run, b), bodies[b]});
     }
 }
 

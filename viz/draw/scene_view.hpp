@@ -10,26 +10,28 @@
 #include "lodlab/core/frame/frame.hpp"
 #include "lodlab/lod2d/shape/shape.hpp"
 #include "lodlab/lod3d/solid/solid.hpp"
-#include "lodlab/viz/draw/sight.hpp"
+#include "lodlab/viz/draw/draw_traits.hpp"
 
 namespace viz {
 
-/// What a picture shows of a body beyond what the method knows of it.
+/// What a picture shows of a body beyond what the method knows of it, as `visual` in URDF: name and
+/// geometry, where `lod::Body` has tree and mass.
 template <int Dim>
-struct Look {
+struct Visual {
     std::string name;  ///< what the reader calls it; used in alt texts and labels
-    typename Sight<Dim>::Outline outline{};  ///< rings or a surface; where empty, leaves are drawn
+    typename DrawTraits<Dim>::Outline
+        outline{};  ///< rings or a surface; where empty, leaves are drawn
 };
 
 /// The outline of a shape, or the surface of a solid, under its name.
-[[nodiscard]] Look<2> look_of(const lod2d::Shape& shape);
+[[nodiscard]] Visual<2> visual_of(const lod2d::Shape& shape);
 /// The same of a solid.
-[[nodiscard]] Look<3> look_of(const lod3d::Solid& solid);
+[[nodiscard]] Visual<3> visual_of(const lod3d::Solid& solid);
 
 /// A body as a picture needs it. Requires: body.tree is there.
 template <int Dim>
 struct Actor {
-    Look<Dim> look;
+    Visual<Dim> visual;
     lod::Body<Dim> body;
 };
 
@@ -45,10 +47,16 @@ struct Instant {
 template <int Dim>
 struct Run {
     std::string name;  ///< "level 2", "exact", "budget 400 tests": heads its row or panel
-    std::vector<Look<Dim>> looks;  ///< one a body
+    std::vector<Visual<Dim>> visuals;  ///< one a body
     std::vector<Instant<Dim>> instants;
     double time_step = 1.0 / 120;  ///< [s]
 };
+
+/// Of one body of a run; nameless and without an outline where the run has none for it.
+template <int Dim>
+[[nodiscard]] Visual<Dim> visual_at(const Run<Dim>& run, std::size_t body) {
+    return body < run.visuals.size() ? run.visuals[body] : Visual<Dim>{};
+}
 
 /// Appends an instant: call it with the bodies copied before `advance` and the record that
 /// `advance` returned. The last instant of a run may have an empty record: where the bodies ended.

@@ -61,10 +61,10 @@ std::string share_text(double share) {
 void add_landing(viz::Panel& panel, const Landing& landing) {
     constexpr double velocity_length = 0.6;
     viz::Actor<2> box_actor;
-    box_actor.look = {"box", {{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}}}};
+    box_actor.visual = {"box", {{{-1, -0.5}, {1, -0.5}, {1, 0.5}, {-1, 0.5}}}};
     box_actor.body = landing.bodies[1];
     viz::Actor<2> floor;
-    floor.look = {"floor", {{{-1.7, -0.25}, {1.7, -0.25}, {1.7, 0}, {-1.7, 0}}}};
+    floor.visual = {"floor", {{{-1.7, -0.25}, {1.7, -0.25}, {1.7, 0}, {-1.7, 0}}}};
     add_body(panel, floor, 0);
     add_body(panel, box_actor, 1);
     for (std::size_t i = 0; i < landing.impacts.size(); ++i)

@@ -66,7 +66,7 @@ void animate(Lesson& lesson, const Scene& start) {
     }
     viz::Run<2> run;
     run.name = video_words(lesson, "run");
-    run.looks = {start.gear.look, start.star.look};
+    run.visuals = {start.gear.visual, start.star.visual};
     run.time_step = time_step;
     for (int i = 0; i < frames; ++i) {
         const std::vector<Body<2>> now = bodies;

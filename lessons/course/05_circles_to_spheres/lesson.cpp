@@ -90,7 +90,7 @@ struct FlatPair {
 
 viz::Actor<3> lifted(const viz::Actor<2>& flat) {
     viz::Actor<3> actor;
-    actor.look.name = flat.look.name;
+    actor.visual.name = flat.visual.name;
     actor.body.inverse_mass = flat.body.inverse_mass;
     actor.body.position = Vec(flat.body.position.x(), flat.body.position.y(), 0);
     const Vec turn(0, 0, flat.body.orientation);

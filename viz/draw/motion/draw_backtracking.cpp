@@ -47,13 +47,13 @@ Story<Dim> story_of(const Actor<Dim>& a, const Actor<Dim>& b,
         const auto moved = [&](const lod::Body<Dim>& body) {
             return lod::moved_freely(body, time, ahead.longest_turn);
         };
-        return Moment<Dim>{time, {a.look, moved(a.body)}, {b.look, moved(b.body)}};
+        return Moment<Dim>{time, {a.visual, moved(a.body)}, {b.visual, moved(b.body)}};
     };
     constexpr int looks = 2000;
     const auto nearest = lod::nearest_approach(a.body, b.body, ahead, looks);
     return {at(frame),
-            {touch.time, {a.look, touch.a}, {b.look, touch.b}},
-            {nearest.time, {a.look, nearest.a}, {b.look, nearest.b}},
+            {touch.time, {a.visual, touch.a}, {b.visual, touch.b}},
+            {nearest.time, {a.visual, nearest.a}, {b.visual, nearest.b}},
             touch.contacts,
             lod::separation(touch.a, touch.b),
             nearest.gap};
@@ -95,16 +95,16 @@ void add_gap(Panel& panel, const lod::Separation<Dim>& gap) {
     const std::array<lod::Vector<Dim>, 2> ends{gap.on_a, gap.on_b};
     add_line<Dim>(panel, {.role = Role::reference}, ends, 1);
     for (const auto& end : ends)
-        panel.marks.push_back(Dot{{.role = Role::reference}, Sight<Dim>::on(panel, end), 0.6});
+        panel.marks.push_back(Dot{{.role = Role::reference}, DrawTraits<Dim>::on(panel, end), 0.6});
     panel.marks.push_back(Label{{.role = Role::reference},
-                                Sight<Dim>::on(panel, 0.5 * (gap.on_a + gap.on_b)),
+                                DrawTraits<Dim>::on(panel, 0.5 * (gap.on_a + gap.on_b)),
                                 "gap " + length_text(gap.distance),
                                 0});
 }
 
 template <int Dim>
 View<Dim> view_of(const Story<Dim>& story, int level,
-                  const typename Sight<Dim>::Viewpoint& viewpoint) {
+                  const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     View<Dim> view(viewpoint, way_between(story.found.a.body, story.found.b.body));
     for (const Moment<Dim>* moment : {&story.found, &story.touched, &story.nearest})
         for (const Actor<Dim>* actor : {&moment->a, &moment->b}) take_in<Dim>(view, *actor);
@@ -118,15 +118,15 @@ View<Dim> view_of(const Story<Dim>& story, int level,
 template <int Dim>
 void describe(const Actor<Dim>& a, const Actor<Dim>& b, const Story<Dim>& story, int level,
               Figure& figure) {
-    const std::string balls = std::string(Sight<Dim>::ball_word) + "s";
+    const std::string balls = std::string(DrawTraits<Dim>::ball_word) + "s";
     const std::string at_level = "level " + std::to_string(level);
     figure.title = "Backtracking at " + at_level + " finds a time of contact that never was";
     figure.numbers = {{"gap at that time", length_text(story.gap_then.distance)},
                       {"least gap ever", length_text(story.least_gap.distance)}};
     figure.caption = "Bold: " + balls + " of " + at_level +
                      " that overlap. Backtracking belongs after the leaves, to the true shapes.";
-    figure.alt = "Three moments of " + plain_text(shown_name<Dim>({a.look, b.look}, 0)) + " and " +
-                 plain_text(shown_name<Dim>({a.look, b.look}, 1)) + ". " + "At " +
+    figure.alt = "Three moments of " + plain_text(shown_name<Dim>({a.visual, b.visual}, 0)) +
+                 " and " + plain_text(shown_name<Dim>({a.visual, b.visual}, 1)) + ". " + "At " +
                  time_words(story.found.time) + " " + balls + " of " + at_level +
                  " overlap. Backtracking moves the bodies to " + time_words(story.touched.time) +
                  ", where these " + balls + " touch; the bodies themselves are " +
@@ -140,7 +140,7 @@ void describe(const Actor<Dim>& a, const Actor<Dim>& b, const Story<Dim>& story,
 template <int Dim>
 Figure inappropriate_backtracking(const Actor<Dim>& a, const Actor<Dim>& b,
                                   const BacktrackingQuestion& question,
-                                  const typename Sight<Dim>::Viewpoint& viewpoint) {
+                                  const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     const int level = question.level;
     const Story<Dim> story = story_of(a, b, question);
     const View<Dim> view = view_of(story, level, viewpoint);
@@ -148,9 +148,9 @@ Figure inappropriate_backtracking(const Actor<Dim>& a, const Actor<Dim>& b,
     describe(a, b, story, level, figure);
     figure.columns = 3;
 
-    Panel found = bodies_panel<Dim>(
-        story.found, view,
-        "*t_0* = " + time_words(story.found.time) + ": " + Sight<Dim>::ball_word + "s overlap");
+    Panel found = bodies_panel<Dim>(story.found, view,
+                                    "*t_0* = " + time_words(story.found.time) + ": " +
+                                        DrawTraits<Dim>::ball_word + "s overlap");
     add_level(found, story.found, level);
     add_meeting_nodes<Dim>(found, {story.found.a.body, 0}, {story.found.b.body, 1},
                            meeting_pairs(story.found, level));
@@ -173,9 +173,9 @@ Figure inappropriate_backtracking(const Actor<Dim>& a, const Actor<Dim>& b,
 
 template Figure inappropriate_backtracking<2>(const Actor<2>&, const Actor<2>&,
                                               const BacktrackingQuestion&,
-                                              const Sight<2>::Viewpoint&);
+                                              const DrawTraits<2>::Viewpoint&);
 template Figure inappropriate_backtracking<3>(const Actor<3>&, const Actor<3>&,
                                               const BacktrackingQuestion&,
-                                              const Sight<3>::Viewpoint&);
+                                              const DrawTraits<3>::Viewpoint&);
 
 }  // namespace viz

@@ -24,6 +24,6 @@ struct BacktrackingQuestion {
 template <int Dim>
 [[nodiscard]] Figure inappropriate_backtracking(
     const Actor<Dim>& a, const Actor<Dim>& b, const BacktrackingQuestion& question = {},
-    const typename Sight<Dim>::Viewpoint& viewpoint = {});
+    const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 }  // namespace viz

@@ -10,8 +10,8 @@
 namespace viz {
 namespace {
 
-constexpr int few_bodies = 3;  ///< that move: names and ghosts have room
-constexpr double end_seconds = 1;
+constexpr int few_bodies = 3;        ///< that move: names and ghosts have room
+constexpr double still_seconds = 1;  ///< of the last picture
 
 template <int Dim>
 using Bodies = std::vector<lod::Body<Dim>>;
@@ -23,23 +23,18 @@ int moving(const Bodies<Dim>& bodies) {
 }
 
 template <int Dim>
-Look<Dim> look_at(const Run<Dim>& run, std::size_t b) {
-    return b < run.looks.size() ? run.looks[b] : Look<Dim>{};
-}
-
-template <int Dim>
 void add_bodies(Panel& panel, const Run<Dim>& run, const Bodies<Dim>& bodies) {
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        add_body<Dim>(panel, {look_at(run, b), bodies[b]}, static_cast<int>(b));
+        add_body<Dim>(panel, {visual_at(run, b), bodies[b]}, static_cast<int>(b));
 }
 
 template <int Dim>
 void add_reference_outlines(Panel& panel, const Run<Dim>& reference, const Bodies<Dim>& bodies) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const Look<Dim> look = look_at(reference, b);
-        if (bodies[b].is_static() || !Sight<Dim>::shown(look.outline)) continue;
-        Sight<Dim>::add_outline(panel, {.role = Role::reference, .body = static_cast<int>(b)},
-                                look.outline, bodies[b]);
+        const Visual<Dim> visual = visual_at(reference, b);
+        if (bodies[b].is_static() || !DrawTraits<Dim>::shown(visual.outline)) continue;
+        DrawTraits<Dim>::add_outline(panel, {.role = Role::reference, .body = static_cast<int>(b)},
+                                     visual.outline, bodies[b]);
     }
 }
 
@@ -78,8 +73,8 @@ void name_reference(Panel& panel, const Run<Dim>& reference, const Bodies<Dim>& 
         Panel named;
         named.view = panel.view;
         named.space = panel.space;
-        add_name<Dim>(named, {look_at(reference, b), bodies[b]}, reference.name,
-                      static_cast<int>(b), Sight<Dim>::on(panel, others[b].position));
+        add_name<Dim>(named, {visual_at(reference, b), bodies[b]}, reference.name,
+                      static_cast<int>(b), DrawTraits<Dim>::on(panel, others[b].position));
         for (Mark& mark : named.marks) {
             if (auto* label = std::get_if<Label>(&mark)) label->style.role = Role::reference;
             panel.marks.push_back(std::move(mark));
@@ -157,7 +152,8 @@ Figure film_frame(const ComparedRuns<Dim>& film, double time) {
 
 template <int Dim>
 Figure comparison(const std::vector<Run<Dim>>& runs, const Run<Dim>& reference, double until,
-                  const ComparisonWords& words, const typename Sight<Dim>::Viewpoint& viewpoint) {
+                  const ComparisonWords& words,
+                  const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     refuse_empty(runs, reference);
     const View<Dim> view = view_of<Dim>(with(runs, reference), until, viewpoint);
     Figure figure;
@@ -176,7 +172,7 @@ Figure comparison(const std::vector<Run<Dim>>& runs, const Run<Dim>& reference, 
 template <int Dim>
 Animation comparison_motion(const std::vector<Run<Dim>>& runs, const Run<Dim>& reference,
                             const ComparisonMotion& choice,
-                            const typename Sight<Dim>::Viewpoint& viewpoint) {
+                            const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     refuse_empty(runs, reference);
     const std::vector<Run<Dim>> all = with(runs, reference);
     double end = 0;
@@ -192,16 +188,16 @@ Animation comparison_motion(const std::vector<Run<Dim>>& runs, const Run<Dim>& r
         animation.shots.push_back({[film, time] { return film_frame(*film, time); }, 1});
     }
     animation.shots.back().frames =
-        static_cast<int>(std::lround(end_seconds * choice.frames_per_second));
+        static_cast<int>(std::lround(still_seconds * choice.frames_per_second));
     return animation;
 }
 
-#define VIZ_INSTANTIATE(Dim)                                                                 \
-    template Figure comparison<Dim>(const std::vector<Run<Dim>>&, const Run<Dim>&, double,   \
-                                    const ComparisonWords&, const Sight<Dim>::Viewpoint&);   \
-    template Animation comparison_motion<Dim>(const std::vector<Run<Dim>>&, const Run<Dim>&, \
-                                              const ComparisonMotion&,                       \
-                                              const Sight<Dim>::Viewpoint&);
+#define VIZ_INSTANTIATE(Dim)                                                                    \
+    template Figure comparison<Dim>(const std::vector<Run<Dim>>&, const Run<Dim>&, double,      \
+                                    const ComparisonWords&, const DrawTraits<Dim>::Viewpoint&); \
+    template Animation comparison_motion<Dim>(const std::vector<Run<Dim>>&, const Run<Dim>&,    \
+                                              const ComparisonMotion&,                          \
+                                              const DrawTraits<Dim>::Viewpoint&);
 VIZ_INSTANTIATE(2)
 VIZ_INSTANTIATE(3)
 #undef VIZ_INSTANTIATE

@@ -21,7 +21,7 @@ struct ComparisonWords {
 template <int Dim>
 [[nodiscard]] Figure comparison(const std::vector<Run<Dim>>& runs, const Run<Dim>& reference,
                                 double until, const ComparisonWords& words = {},
-                                const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                                const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// How the film goes.
 struct ComparisonMotion {
@@ -33,9 +33,8 @@ struct ComparisonMotion {
 
 /// The runs side by side, the reference last and dashed in all others, on one clock.
 template <int Dim>
-[[nodiscard]] Animation comparison_motion(const std::vector<Run<Dim>>& runs,
-                                          const Run<Dim>& reference,
-                                          const ComparisonMotion& choice = {},
-                                          const typename Sight<Dim>::Viewpoint& viewpoint = {});
+[[nodiscard]] Animation comparison_motion(
+    const std::vector<Run<Dim>>& runs, const Run<Dim>& reference,
+    const ComparisonMotion& choice = {}, const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 }  // namespace viz

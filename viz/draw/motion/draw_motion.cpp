@@ -51,7 +51,7 @@ struct ImpactFilm {
 
 template <int Dim>
 ImpactFilm<Dim> film_of(const std::vector<Run<Dim>>& runs, const ImpactMotion& choice,
-                        const typename Sight<Dim>::Viewpoint& viewpoint) {
+                        const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     for (const Run<Dim>& run : runs)
         if (run.instants.empty())
             throw lod::Error(lod::ErrorKind::input_refused,
@@ -126,8 +126,7 @@ template <int Dim>
 void add_bodies(Panel& panel, const Run<Dim>& run, const std::vector<lod::Body<Dim>>& bodies,
                 double opacity) {
     for (std::size_t b = 0; b < bodies.size(); ++b)
-        add_body<Dim>(panel, {b < run.looks.size() ? run.looks[b] : Look<Dim>{}, bodies[b]},
-                      static_cast<int>(b), opacity);
+        add_body<Dim>(panel, {visual_at(run, b), bodies[b]}, static_cast<int>(b), opacity);
 }
 
 template <int Dim>
@@ -169,7 +168,8 @@ Panel run_panel(const ImpactFilm<Dim>& film, std::size_t r, const Moment& moment
     if (opacity == 1 && impact >= 0 && moment.time > impact)
         add_past(panel, run, std::min(until, run.instants.size() - 1), {.most_ghosts = 4});
     add_trails(panel, run, bodies, {.from = 0, .until = moment.time, .opacity = opacity});
-    const double clear = (1 - Sight<Dim>::see_through) * shown[nodes];  // to see the nodes within
+    const double clear =
+        (1 - DrawTraits<Dim>::see_through) * shown[nodes];  // to see the nodes within
     add_bodies(panel, run, bodies, opacity * (1 - clear));
     if (film.impacts[r] < 0) return panel;
     add_detection(panel, film, r, shown);
@@ -221,7 +221,7 @@ std::vector<lod::Body<Dim>> bodies_at(const Run<Dim>& run, double time) {
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         bodies[b].position += share * (next[b].position - bodies[b].position);
         bodies[b].orientation =
-            Sight<Dim>::between(bodies[b].orientation, next[b].orientation, share);
+            DrawTraits<Dim>::between(bodies[b].orientation, next[b].orientation, share);
     }
     return bodies;
 }
@@ -247,7 +247,7 @@ void add_trails(Panel& panel, const Run<Dim>& run, const std::vector<lod::Body<D
 
 template <int Dim>
 Animation impact_motion(const std::vector<Run<Dim>>& runs, const ImpactMotion& choice,
-                        const typename Sight<Dim>::Viewpoint& viewpoint) {
+                        const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     if (runs.empty())
         throw lod::Error(lod::ErrorKind::input_refused,
                          "cannot film a collision: there are no runs; simulate at least one");
@@ -275,8 +275,8 @@ template std::vector<lod::Body<3>> bodies_at<3>(const Run<3>&, double);
 template void add_trails<2>(Panel&, const Run<2>&, const std::vector<lod::Body<2>>&, const Trail&);
 template void add_trails<3>(Panel&, const Run<3>&, const std::vector<lod::Body<3>>&, const Trail&);
 template Animation impact_motion<2>(const std::vector<Run<2>>&, const ImpactMotion&,
-                                    const Sight<2>::Viewpoint&);
+                                    const DrawTraits<2>::Viewpoint&);
 template Animation impact_motion<3>(const std::vector<Run<3>>&, const ImpactMotion&,
-                                    const Sight<3>::Viewpoint&);
+                                    const DrawTraits<3>::Viewpoint&);
 
 }  // namespace viz

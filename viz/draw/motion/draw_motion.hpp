@@ -23,7 +23,7 @@ struct ImpactMotion {
 template <int Dim>
 [[nodiscard]] Animation impact_motion(const std::vector<Run<Dim>>& runs,
                                       const ImpactMotion& choice = {},
-                                      const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                                      const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// How the film of a simulation goes.
 struct SimulationMotion {
@@ -37,14 +37,15 @@ struct SimulationMotion {
 
 /// A whole simulation of any number of bodies, contacts shown as they are resolved.
 template <int Dim>
-[[nodiscard]] Animation simulation_motion(const Run<Dim>& run, const SimulationMotion& choice = {},
-                                          const typename Sight<Dim>::Viewpoint& viewpoint = {});
+[[nodiscard]] Animation simulation_motion(
+    const Run<Dim>& run, const SimulationMotion& choice = {},
+    const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// One frame of it, as a picture.
 template <int Dim>
 [[nodiscard]] Figure simulation_picture(const Run<Dim>& run, double time,
                                         const SimulationMotion& choice = {},
-                                        const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                                        const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// The bodies between two instants: they move freely there, so this is exact but for the spin of a
 /// body in space.

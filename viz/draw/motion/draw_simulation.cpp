@@ -35,7 +35,7 @@ Axes over_time(const char* what) {
 
 template <int Dim>
 std::shared_ptr<const Stage<Dim>> stage_of(const Run<Dim>& run, const SimulationMotion& choice,
-                                           const typename Sight<Dim>::Viewpoint& viewpoint) {
+                                           const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     if (run.instants.empty())
         throw lod::Error(lod::ErrorKind::input_refused,
                          "cannot film a simulation: it has no instants; simulate at least one "
@@ -114,8 +114,8 @@ Panel scene_panel(const Stage<Dim>& stage, double time) {
     add_trails(panel, *stage.run, bodies,
                {.from = std::max(0.0, time - stage.choice.trail), .until = time});
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        const Look<Dim> look = b < stage.run->looks.size() ? stage.run->looks[b] : Look<Dim>{};
-        add_body<Dim>(panel, {look, bodies[b]}, static_cast<int>(b));
+        const Visual<Dim> visual = visual_at(*stage.run, b);
+        add_body<Dim>(panel, {visual, bodies[b]}, static_cast<int>(b));
     }
     add_recent_contacts(panel, stage, time);
     return panel;
@@ -158,13 +158,13 @@ Figure picture(const Stage<Dim>& stage, double time) {
 
 template <int Dim>
 Figure simulation_picture(const Run<Dim>& run, double time, const SimulationMotion& choice,
-                          const typename Sight<Dim>::Viewpoint& viewpoint) {
+                          const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     return picture(*stage_of(run, choice, viewpoint), time);
 }
 
 template <int Dim>
 Animation simulation_motion(const Run<Dim>& run, const SimulationMotion& choice,
-                            const typename Sight<Dim>::Viewpoint& viewpoint) {
+                            const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     if (!(choice.speed > 0) || !(choice.frames_per_second >= 1))
         throw lod::Error(lod::ErrorKind::usage,
                          "cannot film a simulation: its speed and frame rate must be above zero; "
@@ -183,12 +183,12 @@ Animation simulation_motion(const Run<Dim>& run, const SimulationMotion& choice,
 }
 
 template Figure simulation_picture<2>(const Run<2>&, double, const SimulationMotion&,
-                                      const Sight<2>::Viewpoint&);
+                                      const DrawTraits<2>::Viewpoint&);
 template Figure simulation_picture<3>(const Run<3>&, double, const SimulationMotion&,
-                                      const Sight<3>::Viewpoint&);
+                                      const DrawTraits<3>::Viewpoint&);
 template Animation simulation_motion<2>(const Run<2>&, const SimulationMotion&,
-                                        const Sight<2>::Viewpoint&);
+                                        const DrawTraits<2>::Viewpoint&);
 template Animation simulation_motion<3>(const Run<3>&, const SimulationMotion&,
-                                        const Sight<3>::Viewpoint&);
+                                        const DrawTraits<3>::Viewpoint&);
 
 }  // namespace viz

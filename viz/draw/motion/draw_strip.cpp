@@ -50,7 +50,7 @@ struct Scales {
 
 template <int Dim>
 Scales<Dim> scales_of(const std::vector<Run<Dim>>& runs,
-                      const typename Sight<Dim>::Viewpoint& viewpoint) {
+                      const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     const double end = end_time(runs);
     Scales<Dim> scales{end, view_of<Dim>(runs, end, viewpoint)};
     double impulse = 0;
@@ -93,8 +93,8 @@ Point middle_of(const Run<Dim>& run, const Panel& panel) {
     for (std::size_t b = 0; b < run.instants.front().bodies.size(); ++b) {
         const Actor<Dim> actor = actor_of(run, 0, static_cast<int>(b));
         const lod::Matrix<Dim> R = lod::Space<Dim>::rotation(actor.body.orientation);
-        for (const lod::Vector<Dim>& p : Sight<Dim>::points_of(actor.look.outline)) {
-            const Point at = Sight<Dim>::on(panel, actor.body.position + R * p);
+        for (const lod::Vector<Dim>& p : DrawTraits<Dim>::points_of(actor.visual.outline)) {
+            const Point at = DrawTraits<Dim>::on(panel, actor.body.position + R * p);
             box = united(box, {at, at});
         }
     }
@@ -112,7 +112,7 @@ Panel start_panel(const Run<Dim>& run, const Scales<Dim>& scales, bool with_name
     const Point middle = middle_of(run, panel);
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (!bodies[i].is_static())
-            add_name(panel, actor_of(run, 0, static_cast<int>(i)), shown_name(run.looks, i),
+            add_name(panel, actor_of(run, 0, static_cast<int>(i)), shown_name(run.visuals, i),
                      static_cast<int>(i), middle);
     return panel;
 }
@@ -142,7 +142,7 @@ Panel detection_panel(const Run<Dim>& run, const Scales<Dim>& scales) {
     const lod::FrameRecord<Dim>& record = run.instants[instant].record;
     panel.title = time_words(run.instants[instant].time) + gap_words(run, instant);
     add_past(panel, run, instant, {.most_ghosts = 0});
-    add_bodies(panel, run, instant, Sight<Dim>::see_through);
+    add_bodies(panel, run, instant, DrawTraits<Dim>::see_through);
     for (const lod::PairRecord& pair : record.pairs) {
         const auto nodes = nodes_of(record, pair);
         const auto& bodies = run.instants[instant].bodies;
@@ -172,9 +172,9 @@ std::string motion_words(const Run<Dim>& run, std::size_t instant) {
     const auto& bodies = run.instants[instant].bodies;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (bodies[i].is_static()) continue;
-        words += (words.empty() ? "" : ", ") + shown_name(run.looks, i) + " at " +
+        words += (words.empty() ? "" : ", ") + shown_name(run.visuals, i) + " at " +
                  quantity_text(bodies[i].velocity.norm(), "m/s") + " spinning at " +
-                 quantity_text(Sight<Dim>::amount(bodies[i].spin), "rad/s");
+                 quantity_text(DrawTraits<Dim>::amount(bodies[i].spin), "rad/s");
     }
     return words;
 }
@@ -219,7 +219,7 @@ double end_time(const std::vector<Run<Dim>>& runs) {
 
 template <int Dim>
 View<Dim> view_of(const std::vector<Run<Dim>>& runs, double until,
-                  const typename Sight<Dim>::Viewpoint& viewpoint) {
+                  const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     View<Dim> view(viewpoint, way_of(runs.front()));
     for (const Run<Dim>& run : runs) take_in<Dim>(view, run, instant_at(run, until));
     return view;
@@ -288,14 +288,14 @@ double largest_speed(const Run<Dim>& run) {
 
 template <int Dim>
 Figure strips(const std::vector<Run<Dim>>& runs, const StripWords& words,
-              const typename Sight<Dim>::Viewpoint& viewpoint) {
+              const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
     refuse_empty(runs);
     const Scales<Dim> scales = scales_of<Dim>(runs, viewpoint);
     Figure figure;
     figure.title = words.title;
     figure.caption = words.caption;
     if (figure.caption.empty())
-        figure.caption = std::string("Bold ") + Sight<Dim>::ball_word +
+        figure.caption = std::string("Bold ") + DrawTraits<Dim>::ball_word +
                          "s: nodes that intersect. Green: the impulse. Pale outlines: the past.";
     figure.alt = plain_text(words.title) +
                  ". One row a run: the start, the moment of detection, "
@@ -313,11 +313,11 @@ Figure strips(const std::vector<Run<Dim>>& runs, const StripWords& words,
 }
 
 template Figure strips<2>(const std::vector<Run<2>>&, const StripWords&,
-                          const Sight<2>::Viewpoint&);
+                          const DrawTraits<2>::Viewpoint&);
 template Figure strips<3>(const std::vector<Run<3>>&, const StripWords&,
-                          const Sight<3>::Viewpoint&);
-template View<2> view_of<2>(const std::vector<Run<2>>&, double, const Sight<2>::Viewpoint&);
-template View<3> view_of<3>(const std::vector<Run<3>>&, double, const Sight<3>::Viewpoint&);
+                          const DrawTraits<3>::Viewpoint&);
+template View<2> view_of<2>(const std::vector<Run<2>>&, double, const DrawTraits<2>::Viewpoint&);
+template View<3> view_of<3>(const std::vector<Run<3>>&, double, const DrawTraits<3>::Viewpoint&);
 template double end_time<2>(const std::vector<Run<2>>&);
 template double end_time<3>(const std::vector<Run<3>>&);
 template std::size_t instant_at<2>(const Run<2>&, double);

@@ -19,12 +19,12 @@ struct StripWords {
 /// Throws lod::Error (input refused) where a run has no instants.
 template <int Dim>
 [[nodiscard]] Figure strips(const std::vector<Run<Dim>>& runs, const StripWords& words = {},
-                            const typename Sight<Dim>::Viewpoint& viewpoint = {});
+                            const typename DrawTraits<Dim>::Viewpoint& viewpoint = {});
 
 /// What shows all that happens in runs until a time [s].
 template <int Dim>
 [[nodiscard]] View<Dim> view_of(const std::vector<Run<Dim>>& runs, double until,
-                                const typename Sight<Dim>::Viewpoint& viewpoint);
+                                const typename DrawTraits<Dim>::Viewpoint& viewpoint);
 
 /// When there is enough to see: as long after the latest detection as that came after the start,
 /// or the end of the longest run [s].

@@ -1,4 +1,4 @@
-#include "lodlab/viz/draw/sight.hpp"
+#include "lodlab/viz/draw/draw_traits.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -128,14 +128,14 @@ Ground SpaceView::ground() const {
     return ground;
 }
 
-Panel Sight<2>::panel(const View& view) {
+Panel DrawTraits<2>::panel(const View& view) {
     Panel panel;
     panel.view = view.box();
     return panel;
 }
 
-void Sight<2>::add_outline(Panel& panel, const Style& style, const Outline& outline,
-                           const lod::Body<2>& body) {
+void DrawTraits<2>::add_outline(Panel& panel, const Style& style, const Outline& outline,
+                                const lod::Body<2>& body) {
     const lod::Matrix<2> R = lod::Space<2>::rotation(body.orientation);
     Path path{style, outline};
     for (Ring& ring : path.rings)
@@ -146,53 +146,53 @@ void Sight<2>::add_outline(Panel& panel, const Style& style, const Outline& outl
     panel.marks.push_back(std::move(path));
 }
 
-void Sight<2>::add_half_space(Panel& panel, const Style& style, const Outline& outline,
-                              const lod::Body<2>& body) {
+void DrawTraits<2>::add_half_space(Panel& panel, const Style& style, const Outline& outline,
+                                   const lod::Body<2>& body) {
     add_outline(panel, style, outline, body);
 }
 
-void Sight<2>::add_ball(Panel& panel, const Style& style, const lod::Sphere<2>& ball) {
+void DrawTraits<2>::add_ball(Panel& panel, const Style& style, const lod::Sphere<2>& ball) {
     panel.marks.push_back(Disc{style, {ball.centre.x(), ball.centre.y()}, ball.radius});
 }
 
-std::vector<lod::Vector<2>> Sight<2>::points_of(const Outline& outline) {
+std::vector<lod::Vector<2>> DrawTraits<2>::points_of(const Outline& outline) {
     std::vector<lod::Vector<2>> points;
     for (const Ring& ring : outline)
         for (const Point& p : ring) points.emplace_back(p.x, p.y);
     return points;
 }
 
-double Sight<2>::gap(const Outline& a, const lod::Body<2>& body_a, const Outline& b,
-                     const lod::Body<2>& body_b) {
+double DrawTraits<2>::gap(const Outline& a, const lod::Body<2>& body_a, const Outline& b,
+                          const lod::Body<2>& body_b) {
     if (a.empty() || b.empty()) return -1;
     return lod2d::distance(world_boundary(a, body_a), world_boundary(b, body_b));
 }
 
-double Sight<2>::between(double from, double to, double share) {
+double DrawTraits<2>::between(double from, double to, double share) {
     return from + share * lod::wrapped_angle(to - from);
 }
 
-Panel Sight<3>::panel(const View& view) {
+Panel DrawTraits<3>::panel(const View& view) {
     Panel panel;
     panel.view = view.box();
     panel.space = SpaceScene{view.camera(), {}, {}, view.ground()};
     return panel;
 }
 
-Point Sight<3>::on(const Panel& panel, const lod::Vector<3>& v) {
+Point DrawTraits<3>::on(const Panel& panel, const lod::Vector<3>& v) {
     return project(panel.space->camera, v);
 }
 
-double Sight<3>::depth(const Panel& panel, const lod::Vector<3>& v) {
+double DrawTraits<3>::depth(const Panel& panel, const lod::Vector<3>& v) {
     return depth_of(panel.space->camera, v);
 }
 
-double Sight<3>::magnification(const Panel& panel, const lod::Vector<3>& v) {
+double DrawTraits<3>::magnification(const Panel& panel, const lod::Vector<3>& v) {
     return viz::magnification(panel.space->camera, v);
 }
 
-void Sight<3>::add_outline(Panel& panel, const Style& style, const Outline& outline,
-                           const lod::Body<3>& body) {
+void DrawTraits<3>::add_outline(Panel& panel, const Style& style, const Outline& outline,
+                                const lod::Body<3>& body) {
     const lod::Matrix<3> R = lod::Space<3>::rotation(body.orientation);
     panel.space->facets.push_back({style,
                                    outline,
@@ -200,8 +200,8 @@ void Sight<3>::add_outline(Panel& panel, const Style& style, const Outline& outl
                                    {point3(R.col(0)), point3(R.col(1)), point3(R.col(2))}});
 }
 
-void Sight<3>::add_half_space(Panel& panel, const Style&, const Outline&,
-                              const lod::Body<3>& body) {
+void DrawTraits<3>::add_half_space(Panel& panel, const Style&, const Outline&,
+                                   const lod::Body<3>& body) {
     const lod::Vector<3> normal =
         lod::Space<3>::rotation(body.orientation) * *body.tree->half_space;
     if (!panel.space->ground || normal.y() < level_floor) return;
@@ -209,11 +209,11 @@ void Sight<3>::add_half_space(Panel& panel, const Style&, const Outline&,
     panel.space->ground->centre.y = body.position.y();
 }
 
-void Sight<3>::add_ball(Panel& panel, const Style& style, const lod::Sphere<3>& ball) {
+void DrawTraits<3>::add_ball(Panel& panel, const Style& style, const lod::Sphere<3>& ball) {
     panel.space->balls.push_back({style, point3(ball.centre), ball.radius});
 }
 
-void Sight<3>::add_shadow(Panel& panel, const lod::Body<3>& body) {
+void DrawTraits<3>::add_shadow(Panel& panel, const lod::Body<3>& body) {
     if (!panel.space->ground || !body.tree || body.tree->is_half_space()) return;
     int level = 0;
     while (level + 1 < body.tree->levels() &&
@@ -227,20 +227,21 @@ void Sight<3>::add_shadow(Panel& panel, const lod::Body<3>& body) {
     }
 }
 
-std::vector<lod::Vector<3>> Sight<3>::points_of(const Outline& outline) {
+std::vector<lod::Vector<3>> DrawTraits<3>::points_of(const Outline& outline) {
     std::vector<lod::Vector<3>> points;
     if (!outline) return points;
     for (const Point3& p : outline->outermost) points.push_back(vector3(p));
     return points;
 }
 
-double Sight<3>::gap(const Outline&, const lod::Body<3>& a, const Outline&, const lod::Body<3>& b) {
+double DrawTraits<3>::gap(const Outline&, const lod::Body<3>& a, const Outline&,
+                          const lod::Body<3>& b) {
     if (!a.exact || !b.exact) return -1;
     return lod::exactly_overlap<3>(a, b) ? 0 : lod::separation<3>(a, b).distance;
 }
 
-lod::Quaternion Sight<3>::between(const lod::Quaternion& from, const lod::Quaternion& to,
-                                  double share) {
+lod::Quaternion DrawTraits<3>::between(const lod::Quaternion& from, const lod::Quaternion& to,
+                                       double share) {
     const double side = from.dot(to) < 0 ? -1 : 1;  // the shorter way round
     return lod::Quaternion::of_coeffs((1 - share) * from.coeffs() + share * side * to.coeffs())
         .normalized();

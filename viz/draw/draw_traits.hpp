@@ -11,11 +11,11 @@
 
 namespace viz {
 
-/// All that separates pictures of the plane from pictures of space, as a table for each: what a
-/// body looks like, what panels show of the world and from where, and how outlines and balls are
-/// put into a panel. Drawings are written once over it.
+/// All that separates pictures of the plane from pictures of space, as a table for each: how a
+/// body's outline is kept, what panels show of the world and from where, and how outlines and balls
+/// are put into a panel. Drawings are written once over it.
 template <int Dim>
-struct Sight;
+struct DrawTraits;
 
 /// From where space is seen.
 struct Viewpoint {
@@ -75,7 +75,7 @@ class SpaceView {
 
 /// Pictures of the plane.
 template <>
-struct Sight<2> {
+struct DrawTraits<2> {
     using Outline = std::vector<Ring>;  ///< with holes, body frame [m]; empty: leaves are drawn
     using Viewpoint = FlatViewpoint;    ///< from where
     using View = FlatView;              ///< of what
@@ -118,9 +118,9 @@ struct Sight<2> {
 
 /// Pictures of space.
 template <>
-struct Sight<3> {
+struct DrawTraits<3> {
     using Outline = std::shared_ptr<const Surface>;  ///< body frame [m]; null: leaves are drawn
-    /// As in Sight<2>.
+    /// As in DrawTraits<2>.
     /// @{
     using Viewpoint = viz::Viewpoint;
     using View = SpaceView;
@@ -130,7 +130,7 @@ struct Sight<3> {
     static constexpr const char* outline_word = "surface";
     static constexpr double see_through = 0.35;
 
-    /// As in Sight<2>.
+    /// As in DrawTraits<2>.
     /// @{
     [[nodiscard]] static bool shown(const Outline& outline) { return outline != nullptr; }
     [[nodiscard]] static Panel panel(const View& view);
@@ -156,6 +156,6 @@ struct Sight<3> {
 
 /// What panels show of so many dimensions.
 template <int Dim>
-using View = typename Sight<Dim>::View;
+using View = typename DrawTraits<Dim>::View;
 
 }  // namespace viz
