@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lodlab/core/base/to_chars.hpp"
+#include "lodlab/viz/figure/number_text.hpp"
 
 namespace lessons {
 
@@ -34,16 +35,11 @@ Number number(double value, int decimals, const std::string& unit) {
 
 Number tiny(double value, const std::string& unit) {
     if (value == 0) return number(value, 0, unit);
-    constexpr std::array<const char*, 10> raised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     const std::string text =
         lod::number_text(value, std::chars_format::scientific, 1);  // "2.2e-16"
     const std::size_t e = text.find('e');
-    std::string shown_text = text.substr(0, e) + "·10";
-    if (text[e + 1] == '-') shown_text += "⁻";
-    const std::size_t digits = text[e + 2] == '0' ? e + 3 : e + 2;
-    for (const char digit : text.substr(digits))
-        shown_text += raised[static_cast<std::size_t>(digit - '0')];
-    return {value, with_unit(shown_text, unit), unit};
+    const std::string power = viz::superscript(std::stoi(text.substr(e + 1)));
+    return {value, with_unit(text.substr(0, e) + "·10" + power, unit), unit};
 }
 
 std::string in_format(const Number& number, const Format& format) {

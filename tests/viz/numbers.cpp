@@ -18,6 +18,12 @@ TEST_CASE("numbers are rounded to their significant digits", "[numbers]") {
     CHECK(number_text(0) == "0");
 }
 
+TEST_CASE("every digit of an exponent is raised, and its minus", "[numbers]") {
+    CHECK(superscript(0) == "⁰");
+    CHECK(superscript(-16) == "⁻¹⁶");
+    CHECK(superscript(1234567890) == "¹²³⁴⁵⁶⁷⁸⁹⁰");
+}
+
 TEST_CASE("negative numbers have a true minus, and zero has none", "[numbers]") {
     CHECK(number_text(-2.5) == "\u22122.5");
     CHECK(fixed_text(-0.001, 2) == "0.00");

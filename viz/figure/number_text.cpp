@@ -12,15 +12,6 @@ namespace {
 const std::string minus = "\u2212";
 const std::string thin_space = "\u2009";
 
-std::string superscript(int exponent) {
-    static const std::array<std::string, 10> raised{"⁰", "¹", "²", "³", "⁴",
-                                                    "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "⁻" : "";
-    for (const char digit : std::to_string(std::abs(exponent)))
-        text += raised[static_cast<std::size_t>(digit - '0')];
-    return text;
-}
-
 void drop_trailing_zeros(std::string& text) {
     if (text.find('.') == std::string::npos) return;
     while (text.back() == '0') text.pop_back();
@@ -39,6 +30,15 @@ std::string grouped(const std::string& text) {
 }
 
 }  // namespace
+
+std::string superscript(int exponent) {
+    static const std::array<std::string, 10> raised{"⁰", "¹", "²", "³", "⁴",
+                                                    "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text = exponent < 0 ? "⁻" : "";
+    for (const char digit : std::to_string(std::abs(exponent)))
+        text += raised[static_cast<std::size_t>(digit - '0')];
+    return text;
+}
 
 std::string number_text(double value, int digits) {
     if (std::isnan(value)) return "not a number";

@@ -8,6 +8,9 @@ namespace viz {
 /// between thousands, powers of ten beyond 1e6 and below 1e-4. The same text on every machine.
 [[nodiscard]] std::string number_text(double value, int digits = 3);
 
+/// An exponent in raised digits: "⁻¹⁶".
+[[nodiscard]] std::string superscript(int exponent);
+
 /// The number, a space and the unit: "0.25 m".
 [[nodiscard]] std::string quantity_text(double value, const std::string& unit, int digits = 3);
 
