@@ -5,39 +5,42 @@ include(CMakePackageConfigHelpers)
 set(lodlab_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/lodlab)
 
 # lodlab_install(NAME [FOLDER folder] [EXCEPT folder] DESCRIPTION text [LODLAB names] [MODULES modules])
-# installs one library, with the headers of its folder, which is named like it where none is given, but
-# not those of the folder EXCEPT within it, which is another library's: those that are public, and those that these
-# include (cmake/headers). LODLAB
-# names the libraries of ours that it stands on, MODULES the pkg-config modules that it links, which a
-# program links too where the library is static. What find_package needs for the same stands in
-# lodlab-config.cmake.in.
+# makes the umbrella header of a library and installs both, if LODLAB_INSTALL, with the headers of its folder, which is
+# named like it where none is given, but not those of the folder EXCEPT within it, which is another library's: those
+# that are public, and those that these include (cmake/headers). LODLAB names the libraries of ours that it stands on,
+# MODULES the pkg-config modules that it links, which a program links too where the library is static. What
+# find_package needs for the same stands in lodlab-config.cmake.in.
 function(lodlab_install name)
-  if(NOT TARGET ${name})
+  set(target lodlab_${name})
+  if(NOT TARGET ${target})
     return()
   endif()
   cmake_parse_arguments(arg "" "DESCRIPTION;FOLDER;EXCEPT" "LODLAB;MODULES" ${ARGN})
   if(NOT arg_FOLDER)
     set(arg_FOLDER ${name})
   endif()
-  set(LIBRARY "-L\${libdir} -llodlab_${name}")
-  get_target_property(type ${name} TYPE)
+  get_target_property(type ${target} TYPE)
+  set(LIBRARY "")
+  set(headers)
   if(type STREQUAL INTERFACE_LIBRARY)
-    set(LIBRARY "")
+    lodlab_umbrella(${name} INCLUDES ${arg_LODLAB})
+  else()
+    set(LIBRARY "-L\${libdir} -l${target}")
+    lodlab_umbrella(${name} FOLDER ${arg_FOLDER} EXCEPT ${arg_EXCEPT})
+    lodlab_headers_of(headers LISTS public reached FOLDER ${arg_FOLDER} EXCEPT ${arg_EXCEPT})
   endif()
-  install(TARGETS ${name} EXPORT lodlab-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  if(NOT LODLAB_INSTALL)
+    return()
+  endif()
+  install(TARGETS ${target} EXPORT lodlab-${name} ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(EXPORT lodlab-${name} NAMESPACE lodlab:: FILE lodlab-${name}-targets.cmake
           DESTINATION ${lodlab_package_folder})
-  if(LIBRARY)
-    lodlab_umbrella(${name} FOLDER ${arg_FOLDER} EXCEPT ${arg_EXCEPT})
-    lodlab_headers_of(headers LISTS public reached FOLDER ${arg_FOLDER} EXCEPT ${arg_EXCEPT})
-    foreach(header ${headers})
-      get_filename_component(folder ${header} DIRECTORY)
-      install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab/${folder})
-    endforeach()
-  else()
-    lodlab_umbrella(${name} INCLUDES ${arg_LODLAB})
-  endif()
+  foreach(header ${headers})
+    get_filename_component(folder ${header} DIRECTORY)
+    install(FILES ${PROJECT_SOURCE_DIR}/${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab/${folder})
+  endforeach()
+  install(FILES ${lodlab_includes}/lodlab/${name}.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab)
 
   set(NAME ${name})
   set(DESCRIPTION "${arg_DESCRIPTION}")
@@ -89,12 +92,13 @@ function(lodlab_umbrella name)
   endforeach()
   file(CONFIGURE OUTPUT ${lodlab_includes}/lodlab/${name}.hpp @ONLY
        CONTENT "#pragma once\n\n// All of lodlab's library ${name}.\n\n${includes}")
-  install(FILES ${lodlab_includes}/lodlab/${name}.hpp
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lodlab)
 endfunction()
 
 # Call once, after the libraries.
 function(lodlab_install_package)
+  if(NOT LODLAB_INSTALL)
+    return()
+  endif()
   set_target_properties(lodlab_settings PROPERTIES EXPORT_NAME settings)
   install(TARGETS lodlab_settings EXPORT lodlab-core)
   get_property(LODLAB_COMPONENTS GLOBAL PROPERTY LODLAB_COMPONENTS)

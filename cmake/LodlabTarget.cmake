@@ -19,33 +19,36 @@ if(POLICY CMP0205)  # where links are not allowed, folders are copied with all t
 endif()
 file(MAKE_DIRECTORY ${lodlab_includes}/lodlab)
 
-# lodlab_library(NAME sources...): a library, static unless BUILD_SHARED_LIBS.
+# lodlab_library(NAME sources...): a library, static unless BUILD_SHARED_LIBS. Its target is lodlab_NAME, so that a
+# game that takes the sources may have a target NAME of its own; whoever links it calls it lodlab::NAME, as where it is
+# installed.
 function(lodlab_library name)
-  add_library(${name} ${ARGN})
-  add_library(lodlab::${name} ALIAS ${name})
-  set_target_properties(${name} PROPERTIES
-    OUTPUT_NAME lodlab_${name} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
+  set(target lodlab_${name})
+  add_library(${target} ${ARGN})
+  add_library(lodlab::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES
+    EXPORT_NAME ${name} CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   get_filename_component(folder ${CMAKE_CURRENT_SOURCE_DIR} NAME)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR} ${lodlab_includes}/lodlab/${folder}
        SYMBOLIC COPY_ON_ERROR)
-  target_include_directories(${name}
+  target_include_directories(${target}
     PUBLIC $<BUILD_INTERFACE:${lodlab_includes}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${PROJECT_SOURCE_DIR})
-  target_link_libraries(${name} PUBLIC lodlab_settings PRIVATE $<BUILD_INTERFACE:lodlab_warnings>)
+  target_link_libraries(${target} PUBLIC lodlab_settings PRIVATE $<BUILD_INTERFACE:lodlab_warnings>)
   # A square root is one instruction where it need not set errno; a call within a library may be
   # inlined where nobody may put another function in its place.
-  target_compile_options(${name} PRIVATE -fno-math-errno)
+  target_compile_options(${target} PRIVATE -fno-math-errno)
   if(EMSCRIPTEN)
-    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   else()
-    target_compile_options(${name} PRIVATE -fno-semantic-interposition)
+    target_compile_options(${target} PRIVATE -fno-semantic-interposition)
   endif()
   # A shared library shows what is lodlab's own, and hides what it took in (Eigen, parsers).
   if(BUILD_SHARED_LIBS AND UNIX AND NOT APPLE)
-    target_link_options(${name} PRIVATE
+    target_link_options(${target} PRIVATE
       -Wl,--version-script,${PROJECT_SOURCE_DIR}/cmake/exports.map)
-    set_target_properties(${name} PROPERTIES
+    set_target_properties(${target} PROPERTIES
       LINK_DEPENDS ${PROJECT_SOURCE_DIR}/cmake/exports.map)
   endif()
 endfunction()
