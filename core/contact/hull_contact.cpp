@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "lodlab/core/math/clip.hpp"
+#include "lodlab/core/math/polygon.hpp"
 
 namespace lod {
 namespace {

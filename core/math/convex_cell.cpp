@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lodlab/core/math/clip.hpp"
+#include "lodlab/core/math/polygon.hpp"
 
 namespace lod {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "lodlab/core/builder/piece.hpp"
-#include "lodlab/core/math/clip.hpp"
+#include "lodlab/core/math/polygon.hpp"
 #include "lodlab/lod2d/shape/convex_hull.hpp"
 
 namespace lod2d {
@@ -19,26 +19,11 @@ Point cut(const Point& p, double p_side, const Point& q, double q_side) {
     return p + (p_side / (p_side - q_side)) * (q - p);
 }
 
-/// What of a convex polygon lies in the half-plane, in place.
-void clip(Corners& corners, const HalfPlane& keep, Corners& scratch) {
-    scratch.clear();
-    bool any_inside = false;
-    bool any_outside = false;
-    for (const Point& p : corners) {
-        const double side = keep.side(p);
-        any_inside = any_inside || side < 0;
-        any_outside = any_outside || side > 0;
-    }
-    if (!any_outside) {
-        if (!any_inside && !keep.keeps_border) corners.clear();
-        return;
-    }
-    if (any_inside)
-        lod::clip_corners<2>(
-            corners, true, [&](const Point& p) { return keep.side(p); },
-            [&](const Point& p) { scratch.push_back(p); });
-    corners.swap(scratch);
-    if (corners.size() < 3) corners.clear();
+/// What of a convex polygon lies in the half-plane.
+Corners clipped(const Corners& corners, const HalfPlane& keep) {
+    Corners part;
+    lod::PolygonClipper<2>(std::span<const HalfPlane>(&keep, 1)).clip(corners, part);
+    return part;
 }
 
 /// What of a segment lies in the half-plane; false where nothing does.
@@ -69,21 +54,17 @@ std::pair<HalfPlane, HalfPlane> halves(const Corners& corners) {
 }
 
 /// Gathers in `held` what of the part the disc holds; returns the area of the rest.
-double gather_held(const lod::Sphere<2>& disc, Corners part, int cuts_left,
+double gather_held(const lod::Sphere<2>& disc, const Corners& part, int cuts_left,
                    std::vector<Corners>& held) {
     if (part.empty()) return 0;
     if (holds_all(disc, part)) {
-        held.push_back(std::move(part));
+        held.push_back(part);
         return 0;
     }
     if (cuts_left == 0) return std::abs(ring_area(part));
     const auto [first, second] = halves(part);
-    Corners scratch;
-    Corners other = part;
-    clip(part, first, scratch);
-    clip(other, second, scratch);
-    return gather_held(disc, std::move(part), cuts_left - 1, held) +
-           gather_held(disc, std::move(other), cuts_left - 1, held);
+    const double rest = gather_held(disc, clipped(part, first), cuts_left - 1, held);
+    return rest + gather_held(disc, clipped(part, second), cuts_left - 1, held);
 }
 
 }  // namespace
@@ -109,24 +90,11 @@ PolygonPiece::PolygonPiece(const Polygon& polygon) : parts_(convex_parts(polygon
         }
 }
 
-void PolygonPiece::add_part(std::span<const Point> corners) {
-    parts_.corners.insert(parts_.corners.end(), corners.begin(), corners.end());
-    parts_.begin.push_back(static_cast<std::int32_t>(parts_.corners.size()));
-}
-
 PolygonPiece PolygonPiece::within(std::span<const HalfPlane> cell) const {
     PolygonPiece result;
-    Corners corners;
-    Corners scratch;
-    for (std::size_t i = 0; i < parts_.count(); ++i) {
-        corners.assign(parts_.corners.begin() + parts_.begin[i],
-                       parts_.corners.begin() + parts_.begin[i + 1]);
-        for (const HalfPlane& keep : cell) {
-            clip(corners, keep, scratch);
-            if (corners.empty()) break;
-        }
-        if (!corners.empty()) result.add_part(corners);
-    }
+    lod::PolygonClipper<2> clipper(cell);
+    for (std::size_t i = 0; i < parts_.count(); ++i)
+        if (clipper.clip(parts_.part(i), result.parts_.corners) > 0) result.parts_.end_part();
     for (BorderSegment segment : border_)
         if (std::all_of(cell.begin(), cell.end(),
                         [&](const HalfPlane& keep) { return clip(segment, keep); }))
@@ -136,11 +104,7 @@ PolygonPiece PolygonPiece::within(std::span<const HalfPlane> cell) const {
 
 double PolygonPiece::measure() const {
     double area = 0;
-    for (std::size_t i = 0; i < parts_.count(); ++i)
-        area += ring_area(
-            std::span(parts_.corners)
-                .subspan(static_cast<std::size_t>(parts_.begin[i]),
-                         static_cast<std::size_t>(parts_.begin[i + 1] - parts_.begin[i])));
+    for (std::size_t i = 0; i < parts_.count(); ++i) area += ring_area(parts_.part(i));
     return area;
 }
 
@@ -164,11 +128,12 @@ std::pair<PolygonPiece, double> PolygonPiece::held_by(const lod::Sphere<2>& disc
     std::vector<Corners> held;
     for (std::size_t i = 0; i < parts_.count(); ++i) {
         held.clear();
-        rest += gather_held(disc,
-                            Corners(parts_.corners.begin() + parts_.begin[i],
-                                    parts_.corners.begin() + parts_.begin[i + 1]),
-                            most_cuts, held);
-        for (const Corners& corners : held) kept.add_part(corners);
+        const std::span<const Point> part = parts_.part(i);
+        rest += gather_held(disc, Corners(part.begin(), part.end()), most_cuts, held);
+        for (const Corners& corners : held) {
+            kept.parts_.corners.insert(kept.parts_.corners.end(), corners.begin(), corners.end());
+            kept.parts_.end_part();
+        }
     }
     return {std::move(kept), rest};
 }

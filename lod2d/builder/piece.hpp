@@ -50,8 +50,6 @@ class PolygonPiece {
     [[nodiscard]] std::span<const BorderSegment> border() const { return border_; }
 
   private:
-    void add_part(std::span<const Point> corners);
-
     ConvexParts parts_;
     std::vector<BorderSegment> border_;
 };

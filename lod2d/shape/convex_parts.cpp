@@ -184,11 +184,7 @@ void add_halves(std::span<const Point> corners, std::size_t most, ConvexParts& r
 
 ConvexParts with_at_most(const ConvexParts& parts, std::size_t most) {
     ConvexParts result;
-    for (std::size_t i = 0; i < parts.count(); ++i) {
-        const auto begin = static_cast<std::size_t>(parts.begin[i]);
-        const auto end = static_cast<std::size_t>(parts.begin[i + 1]);
-        add_halves(std::span(parts.corners).subspan(begin, end - begin), most, result);
-    }
+    for (std::size_t i = 0; i < parts.count(); ++i) add_halves(parts.part(i), most, result);
     return result;
 }
 

@@ -4,6 +4,7 @@
 /// A polygon cut into convex parts.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lodlab/lod2d/shape/shape.hpp"
@@ -17,6 +18,13 @@ struct ConvexParts {
 
     /// How many polygons.
     [[nodiscard]] std::size_t count() const { return begin.size() - 1; }
+    /// The corners of one of them.
+    [[nodiscard]] std::span<const Point> part(std::size_t i) const {
+        const auto first = static_cast<std::size_t>(begin[i]);
+        return std::span(corners).subspan(first, static_cast<std::size_t>(begin[i + 1]) - first);
+    }
+    /// All corners since the last one are a polygon.
+    void end_part() { begin.push_back(static_cast<std::int32_t>(corners.size())); }
 };
 
 /// A polygon cut into convex parts that meet in their borders only and whose union is the polygon,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lodlab/core/math/polygon.hpp"
 #include "lodlab/core/math/enclosing_ball.hpp"
 #include "lodlab/lod3d/builder/directions.hpp"
 
@@ -11,50 +12,8 @@ namespace {
 
 /// Area times unit normal of a flat polygon.
 Point area_vector(std::span<const Point> polygon) {
-    Point twice = Point::Zero();
-    for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-        twice += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
-    return 0.5 * twice;
+    return 0.5 * lod::Space<3>::area_vector(polygon);
 }
-
-/// Cuts polygons by the half-spaces of a cell, one after the other.
-class Clipper {
-  public:
-    explicit Clipper(std::span<const lod::HalfSpace<3>> cell) : cell_(cell) {}
-
-    /// Appends what of the polygon lies in the cell.
-    void clip(std::span<const Point> polygon, std::vector<Point>& out) {
-        cutting_.clear();
-        for (const lod::HalfSpace<3>& side : cell_) {
-            bool inside = false;
-            bool outside = false;
-            for (const Point& p : polygon) {
-                const double at = side.side(p);
-                inside |= at < 0;
-                outside |= at > 0;
-            }
-            if (!inside && (outside || !side.keeps_border)) return;
-            if (outside) cutting_.push_back(&side);
-        }
-        std::span<const Point> rest = polygon;
-        for (std::size_t i = 0; i + 1 < cutting_.size(); ++i) {
-            std::vector<Point>& next = i % 2 == 0 ? even_ : odd_;
-            next.clear();
-            if (lod::clip_facet<3>(rest, *cutting_[i], next) == 0) return;
-            rest = next;
-        }
-        if (cutting_.empty())
-            out.insert(out.end(), rest.begin(), rest.end());
-        else
-            lod::clip_facet<3>(rest, *cutting_.back(), out);
-    }
-
-  private:
-    std::span<const lod::HalfSpace<3>> cell_;
-    std::vector<const lod::HalfSpace<3>*> cutting_;
-    std::vector<Point> even_;
-    std::vector<Point> odd_;
-};
 
 }  // namespace
 
@@ -85,11 +44,9 @@ MeshPiece MeshPiece::within(std::span<const lod::HalfSpace<3>> cell) const {
     part.cell_ = cell_;
     for (const lod::HalfSpace<3>& side : cell) part.cell_.clip(side);
     if (part.cell_.empty() && !cell_.empty()) return part;
-    Clipper clipper(cell);
+    lod::PolygonClipper<3> clipper(cell);
     each_polygon([&](std::span<const Point> polygon) {
-        const std::size_t before = part.points_.size();
-        clipper.clip(polygon, part.points_);
-        if (part.points_.size() > before)
+        if (clipper.clip(polygon, part.points_) > 0)
             part.polygon_end_.push_back(static_cast<std::int32_t>(part.points_.size()));
     });
     part.add_inner_corners();

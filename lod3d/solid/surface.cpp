@@ -6,6 +6,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/math/bit_hash.hpp"
+#include "lodlab/core/math/polygon.hpp"
 #include "lodlab/lod3d/mesh/intersect.hpp"
 
 namespace lod3d {
@@ -179,25 +180,6 @@ std::vector<Seen> without_repeats(const Contacts& contacts, const Point& normal,
     return points;
 }
 
-/// Andrew's monotone chains, anticlockwise.
-std::vector<Seen> convex_hull(std::vector<Seen> points) {
-    std::sort(points.begin(), points.end(), [](const Seen& p, const Seen& q) {
-        return p.at.x() != q.at.x() ? p.at.x() < q.at.x() : p.at.y() < q.at.y();
-    });
-    std::vector<Seen> hull;
-    for (int side = 0; side < 2; ++side) {
-        const std::size_t begin = hull.size();
-        for (const Seen& p : points) {
-            while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0)
-                hull.pop_back();
-            hull.push_back(p);
-        }
-        hull.pop_back();  // the other side begins with it
-        std::reverse(points.begin(), points.end());
-    }
-    return hull;
-}
-
 /// Drops corners between their neighbours that stand out of the line by no more than rounding.
 void drop_flat_corners(std::vector<Seen>& hull, double tolerance) {
     for (std::size_t i = 0; hull.size() > 2 && i < hull.size();) {
@@ -216,7 +198,7 @@ void drop_flat_corners(std::vector<Seen>& hull, double tolerance) {
 void ExactSurface::keep_corners(const Point& normal, double tolerance, Contacts& contacts) const {
     std::vector<Seen> corners = without_repeats(contacts, normal, tolerance);
     if (corners.size() > 2) {
-        corners = convex_hull(std::move(corners));
+        corners = lod::convex_hull(std::move(corners), [](const Seen& p) { return p.at; });
         drop_flat_corners(corners, tolerance);
     }
     Contacts kept;

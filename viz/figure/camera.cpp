@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "lodlab/core/math/polygon.hpp"
 #include "lodlab/core/math/trigonometry.hpp"
 
 namespace viz {
@@ -11,28 +12,6 @@ namespace {
 using Vector3 = lod::Vector<3>;
 
 constexpr double least_ahead = 1e-3;  ///< of the target's distance, for points behind the eye
-
-/// The convex hull, by Andrew's chains.
-Ring hull_of(std::vector<Point> points) {
-    std::sort(points.begin(), points.end(),
-              [](Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    Ring hull;
-    for (int side = 0; side < 2; ++side) {
-        const std::size_t start = hull.size();
-        for (const Point& p : points) {
-            const auto turns_right = [&] {
-                const Point& a = hull[hull.size() - 2];
-                const Point& b = hull.back();
-                return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) <= 0;
-            };
-            while (hull.size() >= start + 2 && turns_right()) hull.pop_back();
-            hull.push_back(p);
-        }
-        hull.pop_back();  // the next side begins there
-        std::reverse(points.begin(), points.end());
-    }
-    return hull;
-}
 
 }  // namespace
 
@@ -79,7 +58,7 @@ std::vector<Ring> outlines_of(const SpaceScene& scene) {
                                   p.y * vector3(facets.axes[1]) + p.z * vector3(facets.axes[2]);
             points.push_back(project(scene.camera, world));
         }
-        if (points.size() > 2) outlines.push_back(hull_of(std::move(points)));
+        if (points.size() > 2) outlines.push_back(lod::convex_hull(std::move(points), vector2));
     }
     for (const Ball& ball : scene.balls) {
         if (ball.style.role != Role::meeting_node && ball.style.role != Role::true_collision)

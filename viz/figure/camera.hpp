@@ -9,6 +9,10 @@
 
 namespace viz {
 
+/// From a figure's points to lodlab's vectors, in the plane.
+[[nodiscard]] inline lod::Vector<2> vector2(Point p) {
+    return {p.x, p.y};
+}
 /// From lodlab's vectors to a figure's points.
 [[nodiscard]] inline Point3 point3(const lod::Vector<3>& v) {
     return {v.x(), v.y(), v.z()};

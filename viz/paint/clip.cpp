@@ -4,26 +4,13 @@
 #include <array>
 #include <cmath>
 
+#include "lodlab/core/math/polygon.hpp"
+
 namespace viz {
 namespace {
 
 Point between(Point p, Point q, double t) {
     return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
-}
-
-/// Keeps the side of a ring where `inside` is not negative (Sutherland and Hodgman).
-template <class Inside>
-Ring cut(const Ring& ring, const Inside& inside) {
-    Ring kept;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-        const Point p = ring[i];
-        const Point q = ring[(i + 1) % ring.size()];
-        const double at_p = inside(p);
-        const double at_q = inside(q);
-        if (at_p >= 0) kept.push_back(p);
-        if ((at_p < 0) != (at_q < 0)) kept.push_back(between(p, q, at_p / (at_p - at_q)));
-    }
-    return kept;
 }
 
 }  // namespace
@@ -77,10 +64,17 @@ Ring clipped_ring(const Ring& ring, const Rect& to) {
     const bool all_inside =
         std::all_of(ring.begin(), ring.end(), [&](Point p) { return contains(to, p); });
     if (all_inside) return ring;
-    Ring kept = cut(ring, [&](Point p) { return p.x - to.x; });
-    kept = cut(kept, [&](Point p) { return to.right() - p.x; });
-    kept = cut(kept, [&](Point p) { return p.y - to.y; });
-    return cut(kept, [&](Point p) { return to.bottom() - p.y; });
+    const std::array<lod::HalfSpace<2>, 4> sides{{{{-1, 0}, -to.x, true},
+                                                  {{1, 0}, to.right(), true},
+                                                  {{0, -1}, -to.y, true},
+                                                  {{0, 1}, to.bottom(), true}}};
+    std::vector<lod::Vector<2>> corners;
+    for (const Point p : ring) corners.emplace_back(p.x, p.y);
+    std::vector<lod::Vector<2>> kept;
+    lod::PolygonClipper<2>(sides).clip(corners, kept);
+    Ring clipped;
+    for (const lod::Vector<2>& p : kept) clipped.push_back({p.x(), p.y()});
+    return clipped;
 }
 
 Ring clipped_disc(Point centre, double radius, const Rect& to) {
