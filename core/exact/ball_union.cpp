@@ -24,10 +24,47 @@ ConvexPart<Dim> part_of(const Sphere<Dim>& ball) {
     return part;
 }
 
+/// Where two balls are nearest to each other.
+template <int Dim>
+PartPair<Dim> nearest_points(const Sphere<Dim>& a, const Sphere<Dim>& b, double feet_within) {
+    const Vector<Dim> way = b.centre - a.centre;
+    const double length = way.norm();
+    const Vector<Dim> n = length > 0 ? Vector<Dim>(way / length) : Vector<Dim>::Unit(0);
+    PartPair<Dim> pair;
+    pair.a = part_of(a);
+    pair.b = part_of(b);
+    pair.distance = std::max(0.0, length - a.radius - b.radius);
+    pair.nearest = {a.centre + a.radius * n, b.centre - b.radius * n};
+    pair.add_direction(n);
+    if (pair.distance <= feet_within) pair.feet[pair.feet_count++] = pair.nearest;
+    return pair;
+}
+
+/// Passes on only those pairs of balls that the visitor does not skip.
+template <int Dim>
+class BallVisitor final : public PartVisitor<Dim> {
+  public:
+    explicit BallVisitor(PartVisitor<Dim>& visitor) : visitor_(visitor) {
+        this->feet_within = visitor.feet_within;
+    }
+    bool skips(const ConvexPart<Dim>& a, const ConvexPart<Dim>& b, const Vector<Dim>& direction,
+               double gap) const override {
+        return visitor_.skips(a, b, direction, gap);
+    }
+    void visit(const PartPair<Dim>& pair) override {
+        if (pair.distance > 0 && skips(pair.a, pair.b, pair.direction[0], pair.distance)) return;
+        visitor_.visit(pair);
+    }
+
+  private:
+    PartVisitor<Dim>& visitor_;
+};
+
 }  // namespace
 
 template <int Dim>
-BallUnion<Dim>::BallUnion(std::vector<Sphere<Dim>> balls) : balls_(std::move(balls)) {
+BallUnion<Dim>::BallUnion(std::vector<Sphere<Dim>> balls)
+    : balls_(std::move(balls)), tree_(boxes_of<Dim>(balls_)) {
     if (balls_.empty())
         throw Error(ErrorKind::input_refused, "a union of no balls is no shape; give it one");
     BitHash hash;
@@ -46,36 +83,25 @@ BallUnion<Dim>::BallUnion(const SphereTree<Dim>& tree, int level)
 
 template <int Dim>
 bool BallUnion<Dim>::holds(const Vector<Dim>& p) const {
-    return std::any_of(balls_.begin(), balls_.end(), [&](const Sphere<Dim>& ball) {
-        return (p - ball.centre).squaredNorm() <= ball.radius * ball.radius;
+    return tree_.any_meeting({p, p}, [&](std::size_t i) {
+        return (p - balls_[i].centre).squaredNorm() <= balls_[i].radius * balls_[i].radius;
     });
+}
+
+template <int Dim>
+BoxNode<Dim> BallUnion<Dim>::box_node(std::int32_t i) const {
+    const auto& node = tree_.nodes()[static_cast<std::size_t>(i)];
+    const auto number = static_cast<std::int32_t>(node.number);
+    return {node.box.low, node.box.high, static_cast<std::int32_t>(node.second), number,
+            number + 1};
 }
 
 template <int Dim>
 void BallUnion<Dim>::visit_pairs(const ExactShape<Dim>& b, const Placement<Dim>& b_in_a,
                                  PartVisitor<Dim>& visitor) const {
-    const auto* other = dynamic_cast<const BallUnion*>(&b);
-    if (!other)
-        throw Error(ErrorKind::input_refused,
-                    "exact shapes of two kinds cannot meet; give both bodies outlines, both "
-                    "meshes, or both unions of balls");
-    for (const Sphere<Dim>& ball_a : balls_)
-        for (const Sphere<Dim>& ball_b : other->balls_) {
-            const Vector<Dim> centre = b_in_a.carry(ball_b.centre);
-            const Vector<Dim> way = centre - ball_a.centre;
-            const double length = way.norm();
-            PartPair<Dim> pair;
-            pair.a = part_of(ball_a);
-            pair.b = part_of<Dim>({centre, ball_b.radius});
-            pair.distance = std::max(0.0, length - ball_a.radius - ball_b.radius);
-            const Vector<Dim> n =
-                length > 0 ? Vector<Dim>(way / length) : Vector<Dim>(Vector<Dim>::Unit(0));
-            if (pair.distance > 0 && visitor.skips(pair.a, pair.b, n, pair.distance)) continue;
-            pair.nearest = {ball_a.centre + ball_a.radius * n, centre - ball_b.radius * n};
-            pair.add_direction(n);
-            if (pair.distance <= visitor.feet_within) pair.feet[pair.feet_count++] = pair.nearest;
-            visitor.visit(pair);
-        }
+    BallVisitor<Dim> passing(visitor);
+    walk_pairs<Dim>(*this, of_kind<BallUnion>(b, "a union of balls"), b_in_a, nearest_points<Dim>,
+                    passing);
 }
 
 template class BallUnion<2>;

@@ -23,8 +23,8 @@ struct BoxNode {
 
 /// Walks the pairs of facets of two shapes whose boundaries hang in trees of boxes, near boxes
 /// first. `Boundary` has `BoxNode<Dim> box_node(int) const` (0 is the root, children follow their
-/// parents) and `Facet<Dim> facet(int) const`. `nearest(facet_a, facet_b, feet_within)` returns
-/// their PartPair, in A's frame.
+/// parents) and `facet(int) const`, which returns a Facet<Dim>, or a ball for a boundary of balls.
+/// `nearest(facet_a, facet_b, feet_within)` returns their PartPair, in A's frame.
 template <int Dim, class Boundary, class Nearest>
 class PairWalk {
   public:
@@ -109,11 +109,18 @@ class PairWalk {
 
     void visit_facets(const Pair& at, PartVisitor<Dim>& visitor) {
         for (std::int32_t j = at.node_b.first; j < at.node_b.last; ++j) {
-            Facet<Dim> carried = b_.facet(j);
-            for (Vector<Dim>& corner : carried) corner = place_.carry(corner);
+            const auto carried = carry(b_.facet(j));
             for (std::int32_t i = at.node_a.first; i < at.node_a.last; ++i)
                 visitor.visit(nearest_(a_.facet(i), carried, visitor.feet_within));
         }
+    }
+
+    Facet<Dim> carry(Facet<Dim> facet) const {
+        for (Vector<Dim>& corner : facet) corner = place_.carry(corner);
+        return facet;
+    }
+    Sphere<Dim> carry(const Sphere<Dim>& ball) const {
+        return {place_.carry(ball.centre), ball.radius};
     }
 
     const Boundary& a_;

@@ -17,39 +17,59 @@ class BoxTree {
     /// Requires: no empty box.
     explicit BoxTree(std::span<const Box<Dim>> boxes);
 
+    struct Node {
+        Box<Dim> box;
+        std::size_t number = 0;  ///< of a leaf's box
+        std::size_t second = 0;  ///< child of an inner node, whose first one follows it; 0: a leaf
+    };
+
     /// Calls visit(i) for every box that meets this one, always in the same order.
     template <class Visit>
     void each_meeting(const Box<Dim>& box, const Visit& visit) {
-        if (nodes_.empty()) return;
+        (void)walk(box, steps_, [&](std::size_t i) {
+            visit(i);
+            return false;
+        });
+    }
+
+    /// Whether test(i) holds for some box that meets this one; asks no further where it does.
+    template <class Test>
+    [[nodiscard]] bool any_meeting(const Box<Dim>& box, const Test& test) const {
+        std::uint64_t steps = 0;
+        return walk(box, steps, test);
+    }
+
+    /// How many boxes each_meeting has looked at, in all.
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
+    /// The root first, parents before their children; none without boxes.
+    [[nodiscard]] std::span<const Node> nodes() const { return nodes_; }
+
+  private:
+    static constexpr std::size_t deepest = 128;  ///< twice the halvings of what an index can count
+
+    void build(std::span<const Box<Dim>> boxes, std::span<std::size_t> chosen);
+
+    template <class Test>
+    bool walk(const Box<Dim>& box, std::uint64_t& steps, const Test& test) const {
+        if (nodes_.empty()) return false;
         std::array<std::size_t, deepest> open;
         std::size_t count = 0;
         open[count++] = 0;
         while (count > 0) {
             const std::size_t place = open[--count];
             const Node& node = nodes_[place];
-            ++steps_;
+            ++steps;
             if (!node.box.meets(box)) continue;
             if (node.second == 0) {
-                visit(node.number);
+                if (test(node.number)) return true;
                 continue;
             }
             open[count++] = node.second;
             open[count++] = place + 1;
         }
+        return false;
     }
-
-    /// How many boxes each_meeting has looked at, in all.
-    [[nodiscard]] std::uint64_t steps() const { return steps_; }
-
-  private:
-    struct Node {
-        Box<Dim> box;
-        std::size_t number = 0;  ///< of a leaf's box
-        std::size_t second = 0;  ///< child of an inner node, whose first one follows it; 0: a leaf
-    };
-    static constexpr std::size_t deepest = 128;  ///< twice the halvings of what an index can count
-
-    void build(std::span<const Box<Dim>> boxes, std::span<std::size_t> chosen);
 
     std::vector<Node> nodes_;
     std::uint64_t steps_ = 0;
