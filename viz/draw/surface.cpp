@@ -5,6 +5,7 @@
 
 #include "lodlab/core/base/lists.hpp"
 #include "lodlab/lod3d/mesh/mesh_sides.hpp"
+#include "lodlab/viz/draw/corner_normals.hpp"
 #include "lodlab/viz/figure/camera.hpp"
 
 namespace viz {
@@ -12,8 +13,7 @@ namespace {
 
 using Vector3 = lod::Vector<3>;
 
-constexpr double smooth_cosine = 0.766;  ///< 40 degrees: faces that turn more meet in a sharp edge
-constexpr int extreme_directions = 7;    ///< steps along each side of a cube of directions
+constexpr int extreme_directions = 7;  ///< steps along each side of a cube of directions
 
 std::vector<Vector3> face_normals(const lod3d::Mesh& mesh) {
     std::vector<Vector3> normals;
@@ -25,27 +25,6 @@ std::vector<Vector3> face_normals(const lod3d::Mesh& mesh) {
     return normals;  // twice the area long: large faces weigh more
 }
 
-/// For each corner the mean normal of the faces round its vertex that turn little against its own.
-void find_normals(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Surface& surface) {
-    std::vector<std::vector<int>> round(mesh.vertices.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (const int corner : mesh.triangles[t])
-            round[lod::at(corner)].push_back(static_cast<int>(t));
-    surface.normals.resize(mesh.triangles.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const double own = faces[t].norm();
-        for (std::size_t k = 0; k < 3; ++k) {
-            Vector3 sum = Vector3::Zero();
-            for (const int other : round[lod::at(mesh.triangles[t][k])]) {
-                const Vector3& normal = faces[lod::at(other)];
-                if (normal.dot(faces[t]) >= smooth_cosine * own * normal.norm()) sum += normal;
-            }
-            const double length = sum.norm();
-            surface.normals[t][k] = point3(length > 0 ? Vector3(sum / length) : Vector3::UnitY());
-        }
-    }
-}
-
 /// Where more than two triangles share an edge, two by two.
 void find_edges(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Surface& surface) {
     lod3d::each_edge(lod3d::sorted_sides(mesh), [&](auto side, auto last) {
@@ -55,7 +34,7 @@ void find_edges(const lod3d::Mesh& mesh, const std::vector<Vector3>& faces, Surf
                 edge.right = side++->triangle;
                 const Vector3& a = faces[lod::at(edge.left)];
                 const Vector3& b = faces[lod::at(edge.right)];
-                edge.sharp = a.dot(b) < smooth_cosine * a.norm() * b.norm();
+                edge.sharp = !turn_little(a, a.norm(), b, b.norm());
             }
             surface.edges.push_back(edge);
         }
@@ -89,7 +68,7 @@ Surface surface_of(const lod3d::Mesh& mesh) {
     for (const Vector3& v : mesh.vertices) surface.vertices.push_back(point3(v));
     surface.triangles.assign(mesh.triangles.begin(), mesh.triangles.end());
     const std::vector<Vector3> faces = face_normals(mesh);
-    find_normals(mesh, faces, surface);
+    surface.normals = corner_normals(mesh, faces).of;
     find_edges(mesh, faces, surface);
     find_outermost(mesh, surface);
     return surface;

@@ -59,7 +59,7 @@ Story<Dim> story_of(const Actor<Dim>& a, const Actor<Dim>& b,
             nearest.gap};
 }
 
-std::string time_words(double seconds) {
+std::string moment_words(double seconds) {
     return quantity_text(seconds, "s", 3);
 }
 
@@ -127,11 +127,11 @@ void describe(const Actor<Dim>& a, const Actor<Dim>& b, const Story<Dim>& story,
                      " that overlap. Backtracking belongs after the leaves, to the true shapes.";
     figure.alt = "Three moments of " + plain_text(shown_name<Dim>({a.visual, b.visual}, 0)) +
                  " and " + plain_text(shown_name<Dim>({a.visual, b.visual}, 1)) + ". " + "At " +
-                 time_words(story.found.time) + " " + balls + " of " + at_level +
-                 " overlap. Backtracking moves the bodies to " + time_words(story.touched.time) +
+                 moment_words(story.found.time) + " " + balls + " of " + at_level +
+                 " overlap. Backtracking moves the bodies to " + moment_words(story.touched.time) +
                  ", where these " + balls + " touch; the bodies themselves are " +
                  length_text(story.gap_then.distance) +
-                 " apart. They never touch: the least gap, at " + time_words(story.nearest.time) +
+                 " apart. They never touch: the least gap, at " + moment_words(story.nearest.time) +
                  ", is " + length_text(story.least_gap.distance) + ".";
 }
 
@@ -149,7 +149,7 @@ Figure inappropriate_backtracking(const Actor<Dim>& a, const Actor<Dim>& b,
     figure.columns = 3;
 
     Panel found = bodies_panel<Dim>(story.found, view,
-                                    "*t_0* = " + time_words(story.found.time) + ": " +
+                                    "*t_0* = " + moment_words(story.found.time) + ": " +
                                         DrawTraits<Dim>::ball_word + "s overlap");
     add_level(found, story.found, level);
     add_meeting_nodes<Dim>(found, {story.found.a.body, 0}, {story.found.b.body, 1},
@@ -158,14 +158,15 @@ Figure inappropriate_backtracking(const Actor<Dim>& a, const Actor<Dim>& b,
 
     Panel touched = bodies_panel<Dim>(
         story.touched, view,
-        "Backtracked to *t* = " + time_words(story.touched.time) + ": they touch");
+        "Backtracked to *t* = " + moment_words(story.touched.time) + ": they touch");
     add_level(touched, story.touched, level);
     add_normals<Dim>(touched, story.contacts, 0.12 * longer_side(touched.view));
     add_contact_points<Dim>(touched, story.contacts);
     add_gap(touched, story.gap_then);
 
-    Panel nearest = bodies_panel<Dim>(
-        story.nearest, view, "*t* = " + time_words(story.nearest.time) + ": as near as they come");
+    Panel nearest =
+        bodies_panel<Dim>(story.nearest, view,
+                          "*t* = " + moment_words(story.nearest.time) + ": as near as they come");
     add_gap(nearest, story.least_gap);
     figure.panels = {std::move(found), std::move(touched), std::move(nearest)};
     return figure;

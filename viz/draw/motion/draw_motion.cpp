@@ -28,7 +28,7 @@ constexpr double near_impact = 0.08;   ///< of the run's time that counts as nea
 constexpr double end_seconds = 1.0;
 constexpr double return_seconds = 0.6;
 
-struct Moment {
+struct FilmMoment {
     double time = 0;         ///< of the simulation [s]
     double pause_time = -1;  ///< seconds since this pause began, or none
 };
@@ -76,13 +76,13 @@ ImpactFilm<Dim> film_of(const std::vector<Run<Dim>>& runs, const ImpactMotion& c
 
 /// The video's frames: which moment of the simulation each shows.
 template <int Dim>
-std::vector<Moment> moments_of(const ImpactFilm<Dim>& film) {
+std::vector<FilmMoment> moments_of(const ImpactFilm<Dim>& film) {
     std::set<double> pauses;
     for (std::size_t r = 0; r < film.runs.size(); ++r)
         if (film.impacts[r] >= 0) pauses.insert(film.impact_time(r));
     const double frame = 1 / film.choice.frames_per_second;
     const double usual = film.end / std::max(0.1, film.choice.seconds);  // simulated s a video s
-    std::vector<Moment> moments;
+    std::vector<FilmMoment> moments;
     double time = 0;
     auto pause = pauses.begin();
     while (time < film.end) {
@@ -109,7 +109,7 @@ double stage_opacity(double pause_time, int stage) {
 /// How strongly each kind of mark of a run's detection shows at a moment.
 template <int Dim>
 std::array<double, stages> opacities(const ImpactFilm<Dim>& film, std::size_t run,
-                                     const Moment& moment) {
+                                     const FilmMoment& moment) {
     std::array<double, stages> shown{};
     const double impact = film.impact_time(run);
     if (impact < 0 || moment.time < impact) return shown;
@@ -154,7 +154,8 @@ void add_detection(Panel& panel, const ImpactFilm<Dim>& film, std::size_t r,
 }
 
 template <int Dim>
-Panel run_panel(const ImpactFilm<Dim>& film, std::size_t r, const Moment& moment, double opacity) {
+Panel run_panel(const ImpactFilm<Dim>& film, std::size_t r, const FilmMoment& moment,
+                double opacity) {
     const Run<Dim>& run = film.runs[r];
     const std::vector<lod::Body<Dim>> bodies = bodies_at(run, moment.time);
     const auto shown = opacities(film, r, moment);
@@ -188,7 +189,7 @@ Panel run_panel(const ImpactFilm<Dim>& film, std::size_t r, const Moment& moment
 }
 
 template <int Dim>
-Figure frame_figure(const ImpactFilm<Dim>& film, const Moment& moment, double opacity = 1) {
+Figure frame_figure(const ImpactFilm<Dim>& film, const FilmMoment& moment, double opacity = 1) {
     Figure figure;
     figure.title = film.choice.title;
     figure.caption = film.choice.caption;
@@ -256,7 +257,7 @@ Animation impact_motion(const std::vector<Run<Dim>>& runs, const ImpactMotion& c
     Animation animation;
     animation.frames_per_second = choice.frames_per_second;
     animation.title = choice.title;
-    for (const Moment& moment : moments_of(*film))
+    for (const FilmMoment& moment : moments_of(*film))
         animation.shots.push_back({[film, moment] { return frame_figure(*film, moment); }, 1});
     const auto frames_of = [&](double seconds) {
         return std::max(1, static_cast<int>(std::lround(seconds * choice.frames_per_second)));
