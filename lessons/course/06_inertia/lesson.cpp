@@ -101,7 +101,7 @@ void give_push(Lesson& lesson, Crate crate) {
     give(lesson, "moment", words(vector_text<3>(moment, 1), moment.x()));
     give(lesson, "push spin", words(vector_text<3>(body.spin, 4) + "\u00a0rad/s", body.spin.x()));
     give(lesson, "push angle", degrees(degrees_between(moment, body.spin)));
-    constexpr double push_length = 0.45;
+    constexpr double push_length = 0.75;  // past the crate, so that its word stands on the paper
     constexpr double moment_length = 1.5;
     constexpr double spin_length = 1.7;
     viz::Panel panel = panel_round(crate, 0.78);
@@ -146,7 +146,7 @@ void give_corner(Lesson& lesson, const Crate& crate) {
     viz::Panel panel = panel_round(crate, 0.72);
     panel.space->ground->height = r.y();
     viz::add_body(panel, crate.actor, 0);
-    constexpr double impulse_length = 0.08;
+    constexpr double impulse_length = 0.115;  // past the crate, too
     constexpr double spin_length = 0.25;
     add_dot<3>(panel, viz::Role::contact, r);
     add_arrow<3>(panel, viz::Role::impulse, r, r + impulse_length * j * contact.normal,
