@@ -10,13 +10,33 @@
 namespace lod {
 namespace {
 
-/// Shares of the points' extent: a face that cuts off less is not worth having, where it is one of
-/// the hull's own and where it is searched for; corners nearer to each other are one.
+// Shares of the points' extent. Each number was halved and doubled, the others kept, for the hulls
+// of gear:9, star:9, ring and crescent (3,289 faces; errors of 60 impacts), and in space of box, L
+// and ring (14,838 faces; 12 impacts) and knot, gear and blob:2 (9,223 faces). "Nothing" is not one
+// face. What is searched for is so in space alone: in the plane all normals are known.
+
+/// A face of the convex hull that cuts off less is rounding: nothing; 0 makes 4 to 6 % more faces
+/// in space, slivers.
 constexpr double least_cut = 1e-7;
+/// A searched face that cuts off less is not worth having: .4 % more faces with half, .8 % fewer
+/// with double, the same errors.
 constexpr double least_search = 2e-3;
+/// Corners nearer to each other are one: far above the rounding of a cut, far below what a contact
+/// needs. .1 % of the faces; errors of levels 0 and 1 scatter (.093 .080, .104 .095, .097 .080).
 constexpr double same_corner = 1e-10;
+/// By so much the first box is wider, so that no sliver of it is left where faces end in its sides:
+/// .1 % of the faces; 0 leaves 60 % more in the plane.
 constexpr double box_spare = 1e-8;
+/// Towards the nearest point of the convex hull: up to 1 % of the faces, more or fewer.
 constexpr int search_steps = 24;
+/// A step that gains less of the squared extent is rounding: nothing, also 1e-15.
+constexpr double least_gain = 1e-12;
+/// So far below the outermost corner others may make a face with it: up to .9 % of the faces, and
+/// errors scatter.
+constexpr double nearly_outermost = 0.02;
+/// A normal shorter than this share of the squared extent is of corners in a line: nothing, also
+/// 1e-12 and 1e-6.
+constexpr double least_area = 1e-9;
 
 template <int Dim>
 class HullFit {
@@ -28,7 +48,6 @@ class HullFit {
         for (const Vector<Dim>& p : points) box.hold(p);
         size_ = box.size().norm();
         margin_ += 2 * same_corner * size_;  // what making corners one may take away
-        // A little wider, so that no sliver of it is left where faces end in its sides.
         const Vector<Dim> spare = Vector<Dim>::Constant(margin_ + box_spare * size_);
         box_ = Box<Dim>(box.low - spare, box.high + spare);
     }
@@ -118,7 +137,7 @@ class HullFit {
             const Vector<Dim> next = outermost(away);
             const Vector<Dim> along = next - nearest;
             const double gain = away.dot(along);
-            if (!(gain > 1e-12 * size_ * size_)) break;
+            if (!(gain > least_gain * size_ * size_)) break;
             nearest += std::min(1.0, gain / along.squaredNorm()) * along;
         }
         const Vector<Dim> direction = (p - nearest).normalized();
@@ -143,7 +162,7 @@ class HullFit {
         facet[0] = outermost(direction);
         for (std::size_t i = 1; i < Dim; ++i) {
             // Of all that lie nearly as far out, the one farthest from those before.
-            const double level = direction.dot(facet[0]) - 0.02 * size_;
+            const double level = direction.dot(facet[0]) - nearly_outermost * size_;
             double most = 0;
             facet[i] = facet[0];
             for (const Vector<Dim>& p : corners_) {
@@ -159,7 +178,7 @@ class HullFit {
             }
         }
         Vector<Dim> normal = Space<Dim>::facet_normal(facet);
-        if (normal.norm() < 1e-9 * size_ * size_) return Vector<Dim>::Zero();
+        if (normal.norm() < least_area * size_ * size_) return Vector<Dim>::Zero();
         normal = normal.normalized();
         return normal.dot(direction) < 0 ? -normal : normal;
     }

@@ -44,7 +44,11 @@ void mark_inner_faces(const Distance& shape, double margin, Hull<Dim>& hull) {
 /// `reach` [m] along an outer face, out of the inner one, it is still near.
 template <int Dim, DistanceFrom<Dim> Distance>
 void mark_cut_corners(const Distance& shape, double reach, Hull<Dim>& hull) {
-    constexpr double least_turn = 0.3;  // of the surface, as a sine: there it ends in a true corner
+    // Of the surface, as a sine: where it turns more it ends in a true corner. Half or double: 4 to
+    // 11 % fewer, 3 to 8 % more corners in space are cut ones, none in the plane; the same errors.
+    constexpr double least_turn = 0.3;
+    // Faces that turn less have no edge worth the name: 1e-9 and 1e-3 change no corner.
+    constexpr double parallel = 1e-6;
     const auto has = [](const std::vector<std::int32_t>& face, std::size_t corner) {
         return std::find(face.begin(), face.end(), static_cast<std::int32_t>(corner)) != face.end();
     };
@@ -63,7 +67,7 @@ void mark_cut_corners(const Distance& shape, double reach, Hull<Dim>& hull) {
             const Vector<Dim>& m = normals[outer];
             const Vector<Dim>& q = normals[inner];
             const Vector<Dim> along = q - q.dot(m) * m;
-            if (along.norm() < 1e-6) continue;
+            if (along.norm() < parallel) continue;
             const Vector<Dim> step = reach * along.normalized();
             for (std::size_t corner = 0; corner < hull.corners.size(); ++corner) {
                 if (hull.cut[corner] || !has(hull.faces[inner], corner) ||
@@ -75,17 +79,19 @@ void mark_cut_corners(const Distance& shape, double reach, Hull<Dim>& hull) {
         }
 }
 
-/// A step that is small beside what is cut, as a share of the root ball's radius.
+/// A step that is small beside what is cut, as a share of the root ball's radius. Half: as half of
+/// least_turn, the same errors; double: as double, and .068 instead of .053 at level 2 in space.
 inline constexpr double cut_share = 0.01;
 
 /// A hull that stands out of the shape by no more than this share of the root ball's radius is
-/// taken for the piece itself.
+/// taken for the piece itself. In the plane with half 391 nodes are tight, of smaller pieces, with
+/// double 288, instead of 341; the medians of errors are the same to four digits.
 inline constexpr double tight_share = 1e-3;
 
 /// How far the hull's faces stand out of the shape, at points spread over them [m].
 template <int Dim, DistanceFrom<Dim> Distance>
 [[nodiscard]] double lid_height(const Distance& shape, const Hull<Dim>& hull) {
-    constexpr int steps = 4;
+    constexpr int steps = 4;  // from the middle to a corner: 335 and 341 of 341 nodes are tight
     double most = 0;
     for (const std::vector<std::int32_t>& face : hull.faces) {
         const Vector<Dim> middle = hull.middle(face);
