@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lodlab/scenes/scene.hpp"
@@ -42,6 +43,7 @@ struct Step {
 template <int Dim>
 struct Run {
     lod::FrameSettings settings;
+    Limits limits;  ///< of its frames; a run that was played again has those of the trace
     std::vector<Step<Dim>> steps;
     std::vector<State<Dim>> end;  ///< after the last step
     std::uint64_t state_hash = 0;
@@ -65,6 +67,43 @@ struct RunOptions {
     std::function<void(double share)> progress;  ///< called after every frame with the share done
 };
 
+/// Runs bodies frame by frame, for a caller that keeps of each frame what it wants; `run` keeps
+/// all. A frame's bits follow from the bodies and the options alone, not from the frames before it.
+template <int Dim>
+class Runner {
+  public:
+    /// `first_frame`: how many frames have brought the bodies to where they are.
+    Runner(std::vector<lod::Body<Dim>> bodies, const RunOptions& options,
+           std::int64_t first_frame = 0);
+
+    /// Runs the next frame under the limits, or the cuts, of the options. What it gives is valid
+    /// until the next call. Throws as `run` does.
+    const Step<Dim>& next();
+    /// Runs the next frame as one that was cut there, whole where it was not.
+    const Step<Dim>& next(const std::optional<lod::Cut>& cut);
+    /// Goes on from there, one state a body, as if the frames before had just been run.
+    void put(std::int64_t frame, const std::vector<State<Dim>>& states);
+
+    /// How many frames have been run: the number of the next one.
+    [[nodiscard]] std::int64_t frame() const { return frame_; }
+    /// As they are before that frame.
+    [[nodiscard]] std::span<const lod::Body<Dim>> bodies() const { return bodies_; }
+
+  private:
+    const Step<Dim>& advance(lod::Budget budget, std::chrono::nanoseconds begin);
+    [[nodiscard]] std::chrono::nanoseconds now() const;
+
+    std::vector<lod::Body<Dim>> bodies_;
+    RunOptions options_;
+    std::int64_t frame_ = 0;
+    Step<Dim> step_;
+    lod::FrameStorage<Dim> storage_;
+};
+
+/// One state a body.
+template <int Dim>
+[[nodiscard]] std::vector<State<Dim>> states_of(std::span<const lod::Body<Dim>> bodies);
+
 /// What a deadline holds back for each overlapping node pair, for its contact and the response to
 /// it: some five times what both took in a crowd (bench/crowd.cpp: 34 and 10 ns). How many row
 /// visits the response may take at most is counted (FrameRecord::reserved_row_visits).
@@ -80,10 +119,26 @@ template <int Dim>
 /// The settings of a scene as the frames take them, `limits` instead of the scene's own.
 [[nodiscard]] lod::FrameSettings frame_settings(const Scene& scene, const Limits& limits);
 
-/// One line for every body that moves further in a frame of the run than it is thick, where nothing
-/// is swept: it may pass through another that no frame sees it in. Names the body as the scene
-/// does, and the speed up to which that cannot happen. Requires: the run is one of scene and
-/// bodies.
+/// Looks for bodies that move further in a frame than they are thick, where nothing is swept: they
+/// may pass through others that no frame sees them in.
+template <int Dim>
+class SpeedWatch {
+  public:
+    /// Watches a run of these bodies.
+    SpeedWatch(std::span<const lod::Body<Dim>> bodies, const lod::FrameSettings& settings);
+    /// Looks at one frame.
+    void add(const Step<Dim>& step);
+    /// One line for every such body. Names it as the scene does, and the speed up to which that
+    /// cannot happen. Requires: the bodies are the scene's.
+    [[nodiscard]] std::vector<std::string> warnings(const Scene& scene) const;
+
+  private:
+    std::vector<lod::Body<Dim>> bodies_;
+    lod::FrameSettings settings_;
+    std::vector<double> furthest_;  ///< of each body, in one frame [m]
+};
+
+/// The lines of a SpeedWatch over a whole run. Requires: the run is one of scene and bodies.
 template <int Dim>
 [[nodiscard]] std::vector<std::string> speed_warnings(const Scene& scene,
                                                       std::span<const lod::Body<Dim>> bodies,
@@ -106,6 +161,24 @@ struct Summary {
     double frame_ms_p99 = 0;
     double frame_ms_max = 0;
 };
+/// Adds up steps one by one. Holds eight bytes a step, for the times, and nothing else of them.
+class Tally {
+  public:
+    /// Adds one step.
+    template <int Dim>
+    void add(const Step<Dim>& step);
+    /// Of all that were added.
+    [[nodiscard]] Summary summary() const;
+    /// How many were added.
+    [[nodiscard]] std::size_t steps() const { return milliseconds_.size(); }
+
+  private:
+    Summary sums_;
+    std::vector<std::uint64_t>
+        pairs_at_;  ///< colliding pairs whose last finished level is the index
+    std::vector<double> milliseconds_;
+};
+
 /// Adds up a run.
 template <int Dim>
 [[nodiscard]] Summary summarise(const Run<Dim>& run);
