@@ -23,8 +23,13 @@ constexpr Alone alone[] = {
     {"tree", "--list", "", "only prints what there is"},
     {"degrade", "--merge", "--out --json --theme --quality", "takes the rest from the shares"},
     {"simulate", "--replay",
-     "SCENE --strip --plot --out --trace --no-cache --raise-limits --theme --quality --json",
+     "SCENE --strip --plot --out --trace --records --key-frames --seek --no-cache --raise-limits "
+     "--theme --quality --json",
      "takes its limit, duration and models from the trace"},
+    {"simulate", "--continue", "SCENE --duration --trace --no-cache --raise-limits --json",
+     "takes all but the duration from the trace"},
+    {"simulate", "--seek", "SCENE --replay --no-cache --raise-limits --json",
+     "only prints one moment"},
 };
 
 /// An option that says how something else is done.
@@ -46,6 +51,12 @@ bool has_one_level(const Options& options) {
         return format != nullptr && format->one_level;
     });
 }
+bool has_trace(const Options& options) {
+    return !options.trace.empty();
+}
+bool has_replay(const Options& options) {
+    return !options.replay.empty();
+}
 bool has_number(const Options& options) {
     return options.number.has_value();
 }
@@ -53,6 +64,9 @@ constexpr Needed needed[] = {
     {"collide", "--projected", "what a picture shows", has_picture, "add --out FILE.png"},
     {"simulate", "--strip", "what a still picture shows", has_picture, "add --out FILE.png"},
     {"simulate", "--plot", "what a still picture shows", has_picture, "add --out FILE.png"},
+    {"simulate", "--records", "what a trace holds", has_trace, "add --trace FILE"},
+    {"simulate", "--key-frames", "what a trace holds", has_trace, "add --trace FILE"},
+    {"simulate", "--seek", "which moment of a trace is shown", has_replay, "add --replay FILE"},
     {"tree", "--level", "which level a .urdf file holds", has_one_level,
      "add --out FILE.urdf; --depth limits the levels of the tree"},
     {"lesson", "--out", "where the pictures of a lesson go", has_number,

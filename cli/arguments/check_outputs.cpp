@@ -71,6 +71,7 @@ std::vector<fs::path> inputs_of(const Options& options) {
     std::vector<std::string> shapes = scenes::shapes_in(options.shapes);
     shapes.push_back(options.shape);
     if (!options.replay.empty()) inputs.emplace_back(options.replay);
+    if (!options.continued.empty()) inputs.emplace_back(options.continued);
     if (!options.scene.empty()) {
         if (!scenes::names_crowd(options.scene) || fs::exists(options.scene))
             inputs.push_back(scenes::scene_file(options.scene));

@@ -50,7 +50,11 @@ struct Options {
     bool projected = false;  ///< the picture of collide, in space
     std::string picture;     ///< of simulate: "strip", "plot"; empty: what suits the scene
     std::string trace;
+    std::optional<std::int64_t> key_frames;  ///< of the trace: from one to the next
+    bool records = false;                    ///< the trace tells pairs and contacts, too
     std::string replay;
+    std::string seek;       ///< FRAME[.EVENT] of the trace that is played again
+    std::string continued;  ///< the trace at whose end the run goes on
     double raise_limits = 1;
     bool no_video = false;
 

@@ -67,6 +67,24 @@ CLI::Validator range(double low, double high) {
         "");
 }
 
+/// FRAME[.EVENT], from 0.
+CLI::Validator place_of_a_trace() {
+    return CLI::Validator(
+        [](std::string& word) -> std::string {
+            const std::size_t point = std::min(word.find('.'), word.size());
+            const auto is_whole = [](std::string_view digits) {
+                return !digits.empty() &&
+                       digits.find_first_not_of("0123456789") == std::string_view::npos;
+            };
+            const std::string_view text = word;
+            if (is_whole(text.substr(0, point)) &&
+                (point == text.size() || is_whole(text.substr(point + 1))))
+                return {};
+            return "must be a frame, as 120, or an event of one, as 120.3, not " + word;
+        },
+        "");
+}
+
 /// A row of the table of options.
 struct Row {
     std::string_view name;
@@ -126,6 +144,10 @@ const Row rows[] = {
     {"--pictures", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "folder for the picture of each step")->type_name("FOLDER")->expected(1); }},
     {"--trace", [](CLI::App& a, Options& o) { a.add_option("--trace", o.trace, "save the run so that it can be played again")->type_name("FILE"); }},
     {"--replay", [](CLI::App& a, Options& o) { a.add_option("--replay", o.replay, "play a trace of this scene again, to the same bits")->type_name("FILE"); }},
+    {"--records", [](CLI::App& a, Options& o) { a.add_flag("--records", o.records, "the trace tells each frame's bodies, pairs and contacts, too, for other programs"); }},
+    {"--key-frames", [](CLI::App& a, Options& o) { a.add_option("--key-frames", o.key_frames, "frames of the trace from one that is reached at once to the next; without it 100, fewer with more than 5,000 bodies")->check(range(1, most_tests)); }},
+    {"--seek", [](CLI::App& a, Options& o) { a.add_option("--seek", o.seek, "print a moment of the trace: a frame, from 0, or an event of it")->type_name("FRAME[.EVENT]")->check(place_of_a_trace()); }},
+    {"--continue", [](CLI::App& a, Options& o) { a.add_option("--continue", o.continued, "go on where a trace of this scene ends, up to the duration")->type_name("FILE"); }},
     {"--raise-limits", [](CLI::App& a, Options& o) { a.add_option("--raise-limits", o.raise_limits, "multiply every limit on the size of the input by this")->check(range(1, 1e9))->capture_default_str(); }},
     {"--no-video", [](CLI::App& a, Options& o) { a.add_flag("--no-video", o.no_video, "leave the videos out"); }},
     {"--theme", [](CLI::App& a, Options& o) { a.add_option("--theme", o.theme, "ink and paper")->check(one_of({"light", "dark"}))->capture_default_str(); }},

@@ -2,13 +2,15 @@
 
 #include "cli/arguments/check_outputs.hpp"
 #include "cli/arguments/command.hpp"
+#include "cli/stage/moment.hpp"
 #include "cli/stage/run_pictures.hpp"
+#include "cli/stage/simulation.hpp"
 #include "cli/stage/staging.hpp"
 #include "cli/terminal/dimension.hpp"
 #include "cli/terminal/numbers.hpp"
 #include "cli/terminal/output.hpp"
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/scenes/trace.hpp"
+#include "lodlab/scenes/trace/trace.hpp"
 
 namespace cli {
 namespace {
@@ -20,10 +22,13 @@ Json or_null(int level) {
 }
 
 template <int Dim>
-Json result_of(const scenes::Run<Dim>& run, const scenes::Summary& summary) {
+Json result_of(const Simulation<Dim>& simulation) {
+    const scenes::Run<Dim>& run = simulation.run;
+    const scenes::Summary& summary = simulation.summary;
     return {
         {"dim", Dim},
-        {"frames", run.steps.size()},
+        {"first_frame", simulation.first_frame},
+        {"frames", simulation.frames},
         {"state_hash", scenes::hexadecimal(run.state_hash)},
         {"energy", {{"start", run.energy_start}, {"end", run.energy_end}}},
         {"momentum", {{"start", list_of(run.momentum_start)}, {"end", list_of(run.momentum_end)}}},
@@ -44,10 +49,14 @@ Json result_of(const scenes::Run<Dim>& run, const scenes::Summary& summary) {
 }
 
 template <int Dim>
-std::string report_of(const scenes::Scene& scene, const scenes::Run<Dim>& run,
-                      const scenes::Summary& summary) {
-    std::string text = scene.name + ": " + std::to_string(run.steps.size()) + " frames of " +
-                       readable(run.settings.time_step * 1000) + " ms\n";
+std::string report_of(const scenes::Scene& scene, const Simulation<Dim>& simulation) {
+    const scenes::Run<Dim>& run = simulation.run;
+    const scenes::Summary& summary = simulation.summary;
+    std::string text = scene.name + ": " + std::to_string(simulation.frames) + " frames of " +
+                       readable(run.settings.time_step * 1000) + " ms" +
+                       (simulation.first_frame > 0
+                            ? ", from frame " + std::to_string(simulation.first_frame) + " on\n"
+                            : "\n");
     text += "  node tests " + std::to_string(summary.tests) + ", contacts " +
             std::to_string(summary.contacts) + ", interrupted frames " +
             std::to_string(summary.interrupted_frames) + "\n";
@@ -74,19 +83,17 @@ std::string report_of(const scenes::Scene& scene, const scenes::Run<Dim>& run,
 
 template <int Dim>
 void simulate(const scenes::Scene& scene, const Options& options) {
+    const std::string& earlier = options.replay.empty() ? options.continued : options.replay;
     std::optional<scenes::Trace> trace;  // read before the trees are built
-    if (!options.replay.empty()) trace = scenes::read_trace(options.replay);
+    if (!earlier.empty()) trace = scenes::read_trace(earlier);
     const scenes::Setup<Dim> setup = stage<Dim>(scene, options);
-    const scenes::Run<Dim> run =
-        trace ? play_again(setup, *trace) : play(setup, options, "Simulating");
-    if (!options.trace.empty())
-        scenes::write_trace<Dim>(options.trace, setup.scene.name, setup.bodies, run);
-    write_outputs(options, drawing_of(setup, run, options));
-    const scenes::Summary summary = scenes::summarise(run);
+    if (!options.seek.empty()) return show_moment(setup, options, *trace);
+    const Simulation<Dim> simulation = simulated(setup, options, trace);
+    write_outputs(options, drawing_of(setup, simulation.run, options));
     if (options.json)
-        print(result_of(run, summary));
+        print(result_of(simulation));
     else
-        print(report_of(setup.scene, run, summary));
+        print(report_of(setup.scene, simulation));
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include "cli/terminal/progress.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/scenes/crowd/crowds.hpp"
-#include "lodlab/scenes/trace.hpp"
 
 namespace cli {
 namespace {
@@ -27,6 +26,13 @@ void override_limits(const Options& options, scenes::Limits& limits) {
     if (given == 1) limits = {options.level, options.budget, options.milliseconds};
 }
 
+const lod::Clock& steady_clock() {
+    static const lod::SteadyClock clock;
+    return clock;
+}
+
+}  // namespace
+
 void check_frames(const scenes::Scene& scene, const Options& options) {
     const double most = most_frames * options.raise_limits;
     if (static_cast<double>(scene.frames()) > most)
@@ -36,12 +42,14 @@ void check_frames(const scenes::Scene& scene, const Options& options) {
                              "; shorten the duration, or raise the limit by --raise-limits");
 }
 
-const lod::Clock& steady_clock() {
-    static const lod::SteadyClock clock;
-    return clock;
+scenes::RunOptions run_options(const scenes::Scene& scene) {
+    scenes::RunOptions run;
+    run.settings = scenes::frame_settings(scene, scene.limits);
+    run.frames = scene.frames();
+    run.limits = scene.limits;
+    run.clock = &steady_clock();
+    return run;
 }
-
-}  // namespace
 
 io::TreeCache cache_of(const Options& options) {
     return options.no_cache ? io::TreeCache() : io::TreeCache::of_user();
@@ -83,30 +91,16 @@ scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
     const scenes::Scene& scene = setup.scene;
     check_frames(scene, options);
     ProgressBar bar(label);
-    scenes::RunOptions run;
-    run.settings = scenes::frame_settings(scene, scene.limits);
-    run.frames = scene.frames();
-    run.limits = scene.limits;
-    run.clock = &steady_clock();
+    scenes::RunOptions run = run_options(scene);
     run.progress = [&](double share) { bar.show(share); };
     scenes::Run<Dim> result = scenes::run(setup.bodies, run);
     remark_all(scenes::speed_warnings<Dim>(scene, setup.bodies, result));
     return result;
 }
 
-template <int Dim>
-scenes::Run<Dim> play_again(const scenes::Setup<Dim>& setup, const scenes::Trace& trace) {
-    ProgressBar bar("Playing again");
-    scenes::RunOptions run;
-    run.clock = &steady_clock();
-    run.progress = [&](double share) { bar.show(share); };
-    return scenes::replay(trace, setup.bodies, run);
-}
-
-#define CLI_INSTANTIATE(Dim)                                                                       \
-    template scenes::Setup<Dim> stage(const scenes::Scene&, const Options&);                       \
-    template scenes::Run<Dim> play(const scenes::Setup<Dim>&, const Options&, const std::string&); \
-    template scenes::Run<Dim> play_again(const scenes::Setup<Dim>&, const scenes::Trace&);
+#define CLI_INSTANTIATE(Dim)                                                 \
+    template scenes::Setup<Dim> stage(const scenes::Scene&, const Options&); \
+    template scenes::Run<Dim> play(const scenes::Setup<Dim>&, const Options&, const std::string&);
 CLI_INSTANTIATE(2)
 CLI_INSTANTIATE(3)
 #undef CLI_INSTANTIATE

@@ -3,7 +3,6 @@
 #include "cli/arguments/options.hpp"
 #include "lodlab/scenes/run.hpp"
 #include "lodlab/scenes/setup.hpp"
-#include "lodlab/scenes/trace.hpp"
 
 namespace cli {
 
@@ -25,9 +24,10 @@ template <int Dim>
 [[nodiscard]] scenes::Run<Dim> play(const scenes::Setup<Dim>& setup, const Options& options,
                                     const std::string& label);
 
-/// The same, from a trace.
-template <int Dim>
-[[nodiscard]] scenes::Run<Dim> play_again(const scenes::Setup<Dim>& setup,
-                                          const scenes::Trace& trace);
+/// How a staged scene is run: under its limits, on the clock.
+[[nodiscard]] scenes::RunOptions run_options(const scenes::Scene& scene);
+
+/// Throws lod::Error (limit exceeded) when the scene takes more frames than the limit.
+void check_frames(const scenes::Scene& scene, const Options& options);
 
 }  // namespace cli

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 
 #include "lodlab/core/base/bit_cast.hpp"
 #include "lodlab/core/math/linear.hpp"
@@ -19,6 +20,9 @@ class BitHash {
         for (const double number : numbers) add(number);
     }
     void add(const Quaternion& q) { add(q.coeffs()); }
+    void add(std::string_view text) {
+        for (const char byte : text) add_bits(static_cast<std::uint8_t>(byte));
+    }
     template <class List>
     void add_all(const List& list) {
         for (const auto& entry : list) add(entry);

@@ -119,6 +119,8 @@ bool is_read_only(const fs::path& path, fs::perms mode) {
 
 OutputFile::OutputFile(fs::path final_path) : named_(std::move(final_path)) {
     std::error_code error;
+    // A link to a pipe (/dev/stdout) leads to a name that is none.
+    if (fs::is_fifo(fs::status(named_, error))) refuse("it is no regular file; name a new file");
     final_ = followed(named_, error);
     if (error) fail(error.default_error_condition().value());
     const fs::file_status status = fs::status(final_, error);

@@ -11,7 +11,7 @@
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/run.hpp"
 #include "lodlab/scenes/setup.hpp"
-#include "lodlab/scenes/trace.hpp"
+#include "lodlab/scenes/trace/trace_writer.hpp"
 #include "tests/determinism/report.hpp"
 
 namespace {
@@ -45,7 +45,7 @@ void add_scene(const std::string& name, const scenes::Scene& scene, Report& repo
     // Several of these programs may run at once.
     const std::string own = std::to_string(std::random_device{}());
     const auto path = std::filesystem::temp_directory_path() / ("lodlab_" + own + name + ".json");
-    scenes::write_trace<Dim>(path, name, setup.bodies, run);
+    scenes::write_trace<Dim>(path, name, setup.bodies, run, {.records = true});
     report.add_text("scene " + name + ", its trace",
                     lod::read_text_file(path, std::size_t{1} << 30));
     std::filesystem::remove(path);

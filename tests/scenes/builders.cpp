@@ -2,7 +2,7 @@
 
 #include "lodlab/core/frame/state_hash.hpp"
 #include "lodlab/scenes/shapes.hpp"
-#include "lodlab/scenes/trace.hpp"
+#include "lodlab/scenes/trace/trace.hpp"
 #include "tests/catch.hpp"
 
 namespace {

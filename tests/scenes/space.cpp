@@ -5,7 +5,8 @@
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/scenes/run.hpp"
 #include "lodlab/scenes/setup.hpp"
-#include "lodlab/scenes/trace.hpp"
+#include "lodlab/scenes/trace/trace_player.hpp"
+#include "lodlab/scenes/trace/trace_writer.hpp"
 #include "tests/catch.hpp"
 
 using namespace scenes;

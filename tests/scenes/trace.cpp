@@ -1,112 +1,64 @@
-#include "lodlab/scenes/trace.hpp"
+#include "lodlab/scenes/trace/trace.hpp"
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
-#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/exact/ball_union.hpp"
-#include "lodlab/io/files/read_file.hpp"
-#include "tests/catch.hpp"
-#include "tests/scenes/worlds.hpp"
-
-namespace {
-
-namespace fs = std::filesystem;
-
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "lodlab-trace-XXXXXX").string();
-        REQUIRE(::mkdtemp(name.data()) != nullptr);
-        path_ = name;
-    }
-    ~TemporaryFolder() { fs::remove_all(path_); }
-    [[nodiscard]] const fs::path& path() const { return path_; }
-
-  private:
-    fs::path path_;
-};
-
-scenes::Run<2> budgeted_run() {
-    scenes::RunOptions options;
-    options.frames = 500;
-    options.settings.time_step = 1.0 / 240;
-    options.settings.response = lod::Response::mean;
-    options.settings.contact_model = lod::ContactModel::node_normal;
-    options.settings.finest = {lod::Finest::backtrack, 5, 700, 1e-8};
-    options.limits.node_tests = 20;
-    return scenes::run(crossing(), options);
-}
-
-std::string refusal(const fs::path& path, const std::string& text) {
-    std::ofstream(path) << text;
-    try {
-        (void)scenes::read_trace(path);
-    } catch (const lod::Error& error) {
-        CHECK(error.kind() == lod::ErrorKind::input_refused);
-        return error.what();
-    }
-    return "accepted";
-}
-
-}  // namespace
+#include "lodlab/core/frame/state_hash.hpp"
+#include "tests/scenes/trace_files.hpp"
 
 TEST_CASE("a trace plays again to the same bits") {
     const TemporaryFolder folder;
-    const fs::path path = folder.path() / "trace.json";
     const scenes::Run<2> run = budgeted_run();
-    scenes::write_trace<2>(path, "crossing", crossing(), run);
+    scenes::write_trace<2>(folder / "t.json", "crossing", crossing(), run);
 
-    const scenes::Trace trace = scenes::read_trace(path);
-    CHECK(trace.scene == "crossing");
-    CHECK(trace.settings.response == lod::Response::mean);
-    CHECK(trace.settings.contact_model == lod::ContactModel::node_normal);
-    CHECK(trace.settings.finest.level == lod::Finest::backtrack);
-    CHECK(trace.settings.finest.most_pairs == 5);
-    CHECK(trace.settings.finest.cost == 700);
-    CHECK(trace.settings.finest.tolerance == 1e-8);
-    CHECK(trace.settings.time_step == 1.0 / 240);
-    REQUIRE(trace.cuts.size() == 500);
-    const scenes::Run<2> again = scenes::replay<2>(trace, crossing(), {});
+    const scenes::Trace trace = scenes::read_trace(folder / "t.json");
+    const scenes::TraceHead& head = trace.head();
+    CHECK(head.scene == "crossing");
+    CHECK(head.dim == 2);
+    CHECK(head.settings.response == lod::Response::mean);
+    CHECK(head.settings.contact_model == lod::ContactModel::node_normal);
+    CHECK(head.settings.finest.level == lod::Finest::backtrack);
+    CHECK(head.settings.finest.most_pairs == 5);
+    CHECK(head.settings.finest.cost == 700);
+    CHECK(head.settings.finest.tolerance == 1e-8);
+    CHECK(head.settings.time_step == 1.0 / 240);
+    CHECK(head.limits.node_tests == 20U);
+    REQUIRE(trace.frames() == 500);
+    const scenes::Run<2> again = scenes::replay<2>(trace, crossing());
     CHECK(again.state_hash == run.state_hash);
     CHECK(scenes::summarise(run).interrupted_frames > 0);
     for (std::size_t k = 0; k < run.steps.size(); ++k)
         CHECK(again.steps[k].record.impulses == run.steps[k].record.impulses);
 }
 
-TEST_CASE("a trace tells readers every body and contact") {
-    const TemporaryFolder folder;
-    const fs::path path = folder.path() / "trace.json";
+TEST_CASE("a trace with records tells readers every body and contact") {
     const scenes::Run<2> run = budgeted_run();
-    scenes::write_trace<2>(path, "crossing", crossing(), run);
-    const auto json = nlohmann::json::parse(lod::read_text_file(path, 100'000'000));
     std::size_t contacts = 0;
-    for (std::size_t k = 0; k < run.steps.size(); ++k) {
-        const auto& frame = json.at("frames").at(k);
-        const lod::Body<2> first = [&] {
-            lod::Body<2> body;
-            scenes::put(run.steps[k].before[0], body);
-            return body;
-        }();
+    std::size_t frames = 0;
+    for (const std::string& line : lines_of(trace_text(run, {.records = true}))) {
+        const auto frame = nlohmann::json::parse(line);
+        if (!frame.contains("frame")) continue;
+        const scenes::Step<2>& step = run.steps[frames];
+        CHECK(frame.at("frame") == frames++);
+        const scenes::State<2>& first = step.before[0];
         CHECK(frame.at("bodies").at(0) ==
               nlohmann::json({first.position.x(), first.position.y(), first.orientation,
                               first.velocity.x(), first.velocity.y(), first.spin[0]}));
+        CHECK(frame.at("tests") == step.record.tests);
         for (const auto& pair : frame.at("pairs")) contacts += pair.at("contacts").size();
     }
+    CHECK(frames == run.steps.size());
     CHECK(contacts == scenes::summarise(run).contacts);
     CHECK(contacts > 0);
 }
 
-TEST_CASE("a trace of another scene is refused") {
-    const TemporaryFolder folder;
-    const fs::path path = folder.path() / "trace.json";
-    scenes::write_trace<2>(path, "crossing", crossing(), budgeted_run());
-    auto changed = crossing();
-    changed[2].position.x() += 1e-15;
-    CHECK_THROWS_WITH(scenes::replay<2>(scenes::read_trace(path), changed, {}),
-                      lodtest::contains("the scene is not the one of the trace (crossing"));
+TEST_CASE("a trace without records tells the bodies of its key frames and of its end alone") {
+    const scenes::Run<2> run = budgeted_run(250);
+    std::vector<std::int64_t> told;
+    for (const std::string& line : lines_of(trace_text(run, {.key_frames = 80})))
+        if (const auto json = nlohmann::json::parse(line); json.contains("bodies"))
+            told.push_back(json.at("key_frame").get<std::int64_t>());
+    CHECK(told == std::vector<std::int64_t>{0, 80, 160, 240, 250});
 }
 
 TEST_CASE("a trace is of one geometry: hulls and true shapes count") {
@@ -131,29 +83,73 @@ TEST_CASE("a trace is of one geometry: hulls and true shapes count") {
     CHECK(std::ranges::adjacent_find(all) == all.end());
 }
 
-TEST_CASE("a trace that was edited is found out, with the frame") {
-    scenes::Trace trace;
-    const scenes::Run<2> run = budgeted_run();
-    trace.fingerprint = scenes::fingerprint<2>(crossing());
-    trace.settings = run.settings;
-    for (const auto& step : run.steps) {
-        trace.cuts.push_back(step.record.cut);
-        trace.state_hashes.push_back(step.state_hash);
-    }
-    trace.state_hashes[123] ^= 1;
-    CHECK_THROWS_WITH(scenes::replay<2>(trace, crossing(), {}),
-                      lodtest::contains("differs from the trace from frame 123 on"));
+TEST_CASE("a trace is written as the run goes, and stands there once it is complete") {
+    namespace fs = std::filesystem;
+    const TemporaryFolder folder;
+    const fs::path path = folder / "t.json";
+    const auto part_size = [&] {
+        for (const auto& entry : fs::directory_iterator(path.parent_path()))
+            if (entry.path() != path) return entry.file_size();
+        return std::uintmax_t{0};
+    };
+    {
+        const scenes::RunOptions options = budgeted(40);
+        scenes::Runner<2> runner(crossing(), options);
+        scenes::TraceWriter<2> writer(
+            path, {"crossing", runner.bodies(), options.settings, options.limits});
+        std::uintmax_t written = part_size();
+        CHECK(written > 0);
+        for (int frame = 0; frame < 40; ++frame) {
+            const scenes::Step<2>& step = runner.next();
+            writer.add(step, scenes::states_of(runner.bodies()));
+            CHECK(part_size() > written);  // nothing of the frame is kept back
+            written = part_size();
+        }
+        CHECK_FALSE(fs::exists(path));
+    }  // as where an error ends the run
+    CHECK(fs::is_empty(path.parent_path()));
 }
 
-TEST_CASE("a file that is no trace is refused in one line") {
+TEST_CASE(
+    "a run that is saved, loaded and continued is the one that never stopped, in every byte") {
     const TemporaryFolder folder;
-    const fs::path path = folder.path() / "bad.json";
-    for (const char* text :
-         {"", "{", "[]", "{}", "{\"lodlab_trace\": 99}", "{\"lodlab_trace\": \"1\"}", "null",
-          R"({"lodlab_trace": 2, "scene": "x", "fingerprint": "zz"})"}) {
-        const std::string line = refusal(path, text);
-        INFO(line);
-        CHECK(line.find("not a trace of lodlab") != std::string::npos);
-        CHECK(line.find('\n') == std::string::npos);
+    const std::int64_t stop = GENERATE(1, 100, 137, 200);  // key frames are 100 apart
+    const std::int64_t end = 300;
+    scenes::write_trace<2>(folder / "whole.json", "crossing", crossing(), budgeted_run(end));
+    scenes::write_trace<2>(folder / "first.json", "crossing", crossing(), budgeted_run(stop));
+
+    const scenes::Trace first = scenes::read_trace(folder / "first.json");
+    scenes::RunOptions options;
+    options.settings = first.head().settings;
+    options.limits = first.head().limits;
+    options.frames = end;
+    scenes::Runner<2> runner(scenes::bodies_at_end<2>(first, crossing()), options, first.frames());
+    scenes::TraceWriter<2> writer(folder / "both.json", first);
+    while (runner.frame() < end) {
+        const scenes::Step<2>& step = runner.next();
+        writer.add(step, scenes::states_of(runner.bodies()));
     }
+    writer.finish();
+    CHECK(lod::state_hash(runner.bodies()) == budgeted_run(end).state_hash);
+    CHECK(text_of(folder / "both.json") == text_of(folder / "whole.json"));
+}
+
+TEST_CASE("key frames come more often where there are many bodies, or as they are asked for") {
+    const TemporaryFolder folder;
+    const auto key_frames = [&](std::size_t bodies, std::int64_t asked) {
+        const std::vector<lod::Body<2>> all(bodies, four_leaved({0, 0}, {1, 0}));
+        scenes::RunOptions options;
+        scenes::Runner<2> runner({all[0]}, options);
+        const scenes::Step<2>& step = runner.next();
+        scenes::TraceWriter<2> writer(folder / "t.json", {"many", all, {}, {}},
+                                      {.key_frames = asked});
+        writer.add(step, step.before);
+        writer.finish();
+        return scenes::read_trace(folder / "t.json").head().key_frames;
+    };
+    CHECK(key_frames(1, 0) == 100);
+    CHECK(key_frames(5000, 0) == 100);
+    CHECK(key_frames(10'000, 0) == 50);
+    CHECK(key_frames(100'000, 0) == 10);
+    CHECK(key_frames(10'000, 7) == 7);
 }

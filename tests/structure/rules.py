@@ -40,6 +40,7 @@ MAY_INCLUDE = {
     "lod3d/source": ["core", "io/files", "lod3d/mesh", "lod3d/solid"],
     "scenes": ["core", "io", "lod2d", "lod3d"],
     "scenes/crowd": ["core", "lod2d", "scenes"],
+    "scenes/trace": ["core", "io", "scenes"],
     "measure/reference": ["core", "lod2d/shape"],
     "measure/crowd": ["core"],
     "measure": ["core", "io", "lod2d", "lod3d", "scenes", "measure/reference"],

@@ -1,31 +1,14 @@
-#include "lodlab/scenes/trace.hpp"
+#include "lodlab/scenes/trace/trace_json.hpp"
 
 #include <charconv>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "lodlab/core/base/error.hpp"
-#include "lodlab/core/base/stop.hpp"
-#include "lodlab/core/exact/exact_shape.hpp"
-#include "lodlab/core/frame/state_hash.hpp"
-#include "lodlab/core/math/bit_hash.hpp"
-#include "lodlab/io/files/output_file.hpp"
-#include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/whole_number.hpp"
+#include "lodlab/scenes/trace/trace.hpp"
 
 namespace scenes {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr std::size_t most_bytes = 500'000'000;
-
-std::uint64_t from_hexadecimal(const std::string& text) {
-    std::uint64_t number = 0;
-    const auto result = std::from_chars(text.data(), text.data() + text.size(), number, 16);
-    if (result.ec != std::errc{} || result.ptr != text.data() + text.size())
-        throw std::invalid_argument("\"" + text + "\" is no hexadecimal number");
-    return number;
-}
 
 template <int Rows, int Cols>
 void append(const lod::FixedMatrix<Rows, Cols>& numbers, Json& list) {
@@ -38,11 +21,40 @@ void append(const lod::Quaternion& q, Json& list) {
     append(q.coeffs(), list);
 }
 
+double number_from(const Json& json) {
+    if (!json.is_number()) throw std::invalid_argument(json.dump() + " is no number");
+    return json.get<double>();
+}
+
+/// The next numbers of a row.
+template <int Rows, int Cols>
+void take(const double*& next, lod::FixedMatrix<Rows, Cols>& numbers) {
+    for (double& number : numbers) number = *next++;
+}
+void take(const double*& next, double& number) {
+    number = *next++;
+}
+void take(const double*& next, lod::Quaternion& q) {
+    lod::FixedMatrix<4, 1> coeffs;
+    take(next, coeffs);
+    q = lod::Quaternion::of_coeffs(coeffs);
+}
+
 template <class Numbers>
 Json array_of(const Numbers& numbers) {
     Json list = Json::array();
     append(numbers, list);
     return list;
+}
+
+}  // namespace
+
+std::uint64_t from_hexadecimal(const std::string& text) {
+    std::uint64_t number = 0;
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), number, 16);
+    if (result.ec != std::errc{} || result.ptr != text.data() + text.size())
+        throw std::invalid_argument("\"" + text + "\" is no hexadecimal number");
+    return number;
 }
 
 template <int Dim>
@@ -57,6 +69,35 @@ Json states(const std::vector<State<Dim>>& all) {
         list.push_back(std::move(numbers));
     }
     return list;
+}
+
+template <int Dim>
+std::vector<State<Dim>> states_from(const std::vector<double>& numbers) {
+    std::vector<State<Dim>> all(numbers.size() / numbers_of_a_state(Dim));
+    const double* next = numbers.data();
+    for (State<Dim>& state : all) {
+        take(next, state.position);
+        take(next, state.orientation);
+        take(next, state.velocity);
+        take(next, state.spin);
+    }
+    return all;
+}
+
+std::size_t numbers_of_a_state(int dim) {
+    constexpr std::size_t in_the_plane = 2 + 1 + 2 + 1;
+    constexpr std::size_t in_space = 3 + 4 + 3 + 3;
+    return dim == 3 ? in_space : in_the_plane;
+}
+
+std::vector<double> numbers_from(const Json& states, int dim) {
+    std::vector<double> numbers;
+    for (const Json& state : states) {
+        if (!state.is_array() || state.size() != numbers_of_a_state(dim))
+            throw std::invalid_argument("a body has another number of numbers");
+        for (const Json& number : state) numbers.push_back(number_from(number));
+    }
+    return numbers;
 }
 
 template <int Dim>
@@ -102,7 +143,7 @@ Json swept(const lod::FrameRecord<Dim>& record) {
     return list;
 }
 
-Json settings_json(const lod::FrameSettings& settings) {
+Json json_of(const lod::FrameSettings& settings) {
     return {{"time_step", settings.time_step},
             {"deepest_level", settings.deepest_level},
             {"response", lod::name_of(settings.response)},
@@ -122,6 +163,8 @@ Json settings_json(const lod::FrameSettings& settings) {
               {"most_impacts", settings.sweep.most_impacts}}}};
 }
 
+namespace {
+
 template <class Choice>
 Choice choice(const Json& json) {
     const auto& name = json.get_ref<const std::string&>();
@@ -139,6 +182,8 @@ lod::SweepSettings sweep_from(const Json& json) {
     if (!(sweep.tolerance > 0)) throw std::invalid_argument("tolerance is out of range");
     return sweep;
 }
+
+}  // namespace
 
 lod::FrameSettings settings_from(const Json& json) {
     lod::FrameSettings settings;
@@ -166,34 +211,36 @@ lod::FrameSettings settings_from(const Json& json) {
     return settings;
 }
 
-Json cut_json(const lod::Cut& cut) {
-    return {{"pair", cut.pair}, {"level", cut.level}, {"tests", cut.tests}};
+Json json_of(const std::optional<lod::Cut>& cut) {
+    if (!cut) return {};
+    return {{"pair", cut->pair}, {"level", cut->level}, {"tests", cut->tests}};
 }
 
-lod::Cut cut_from(const Json& json) {
-    return {io::whole_number<std::int32_t>(json.at("pair")),
-            io::whole_number<std::int32_t>(json.at("level")),
-            io::whole_number<std::uint64_t>(json.at("tests"))};
+std::optional<lod::Cut> cut_from(const Json& json) {
+    if (json.is_null()) return std::nullopt;
+    return lod::Cut{io::whole_number<std::int32_t>(json.at("pair")),
+                    io::whole_number<std::int32_t>(json.at("level")),
+                    io::whole_number<std::uint64_t>(json.at("tests"))};
 }
 
-Trace trace_from(const Json& json) {
-    Trace trace;
-    if (io::whole_number<int>(json.at("lodlab_trace")) != trace_version)
-        throw std::invalid_argument("it has another version");
-    trace.scene = json.at("scene").get<std::string>();
-    trace.fingerprint = from_hexadecimal(json.at("fingerprint").get_ref<const std::string&>());
-    trace.settings = settings_from(json.at("settings"));
-    for (const Json& frame : json.at("frames")) {
-        const Json& cut = frame.at("cut");
-        trace.cuts.push_back(cut.is_null() ? std::nullopt : std::optional(cut_from(cut)));
-        trace.state_hashes.push_back(
-            from_hexadecimal(frame.at("state_hash").get_ref<const std::string&>()));
-    }
-    if (trace.cuts.empty()) throw std::invalid_argument("it has no frames");
-    return trace;
+Json json_of(const Limits& limits) {
+    Json json = Json::object();
+    if (limits.level) json["level"] = *limits.level;
+    if (limits.node_tests) json["node_tests"] = *limits.node_tests;
+    if (limits.milliseconds) json["milliseconds"] = *limits.milliseconds;
+    return json;
 }
 
-}  // namespace
+Limits limits_from(const Json& json) {
+    Limits limits;
+    if (json.contains("level")) limits.level = io::whole_number<int>(json.at("level"));
+    if (json.contains("node_tests"))
+        limits.node_tests = io::whole_number<std::uint64_t>(json.at("node_tests"));
+    if (json.contains("milliseconds")) limits.milliseconds = number_from(json.at("milliseconds"));
+    if (limits.milliseconds && !(*limits.milliseconds >= 0 && *limits.milliseconds <= 1e9))
+        throw std::invalid_argument("milliseconds is out of range");
+    return limits;
+}
 
 std::string hexadecimal(std::uint64_t number) {
     std::string text(16, '0');
@@ -202,88 +249,11 @@ std::string hexadecimal(std::uint64_t number) {
     return text;
 }
 
-template <int Dim>
-std::uint64_t fingerprint(std::span<const lod::Body<Dim>> bodies) {
-    lod::BitHash all;
-    for (const lod::Body<Dim>& body : bodies) {
-        all.add(body.inverse_mass);
-        all.add(body.inertia);
-        all.add(body.restitution);
-        all.add(body.position);
-        all.add(body.orientation);
-        all.add(body.velocity);
-        all.add(body.spin);
-        all.add(lod::tree_hash(*body.tree));
-        all.add(body.exact ? body.exact->hash() : std::uint64_t{0});
-    }
-    return all.value();
-}
-
-template <int Dim>
-void write_trace(const std::filesystem::path& path, const std::string& scene,
-                 std::span<const lod::Body<Dim>> bodies_at_start, const Run<Dim>& run) {
-    lod::OutputFile file(path);
-    const Json head = {{"lodlab_trace", trace_version},
-                       {"scene", scene},
-                       {"dim", Dim},
-                       {"fingerprint", hexadecimal(fingerprint(bodies_at_start))},
-                       {"settings", settings_json(run.settings)}};
-    std::string text = head.dump(-1, ' ', false, Json::error_handler_t::replace);  // a name
-    text.pop_back();  // the closing brace
-    file.write(text + ",\n\"frames\": [\n");
-    for (std::size_t k = 0; k < run.steps.size(); ++k) {
-        lod::check_interrupted();
-        const Step<Dim>& step = run.steps[k];
-        Json frame = {{"cut", step.record.cut ? cut_json(*step.record.cut) : Json()},
-                      {"state_hash", hexadecimal(step.state_hash)},
-                      {"tests", step.record.tests},
-                      {"bodies", states(step.before)},
-                      {"pairs", pairs(step.record)}};
-        if (!step.record.swept.empty()) frame["swept"] = swept(step.record);
-        file.write(frame.dump() + (k + 1 < run.steps.size() ? ",\n" : "\n"));
-    }
-    file.write("],\n\"end\": " + Json({{"bodies", states(run.end)}}).dump() + "}\n");
-    file.commit();
-}
-
-Trace parse_trace(std::string_view text, const std::string& source) {
-    try {
-        return trace_from(Json::parse(text));
-    } catch (const std::exception& error) {
-        throw lod::Error(lod::ErrorKind::input_refused,
-                         source + ": not a trace of lodlab: " + error.what() +
-                             "; write one with lodlab simulate --trace");
-    }
-}
-
-Trace read_trace(const std::filesystem::path& path) {
-    return parse_trace(lod::read_text_file(path, most_bytes), path.string());
-}
-
-template <int Dim>
-Run<Dim> replay(const Trace& trace, std::vector<lod::Body<Dim>> bodies, RunOptions options) {
-    if (fingerprint(std::span<const lod::Body<Dim>>(bodies)) != trace.fingerprint)
-        throw lod::Error(lod::ErrorKind::input_refused,
-                         "the scene is not the one of the trace (" + trace.scene +
-                             ", or it has been changed since); name the scene of the trace");
-    options.settings = trace.settings;
-    options.frames = static_cast<std::int64_t>(trace.cuts.size());
-    options.limits = {};
-    options.cuts = trace.cuts;
-    Run<Dim> result = run(std::move(bodies), options);
-    for (std::size_t k = 0; k < result.steps.size(); ++k)
-        if (result.steps[k].state_hash != trace.state_hashes[k])
-            throw lod::Error(lod::ErrorKind::input_refused,
-                             "the replay differs from the trace from frame " + std::to_string(k) +
-                                 " on; the trace was edited or written by another version");
-    return result;
-}
-
-#define SCENES_INSTANTIATE(Dim)                                                  \
-    template std::uint64_t fingerprint(std::span<const lod::Body<Dim>>);         \
-    template void write_trace(const std::filesystem::path&, const std::string&,  \
-                              std::span<const lod::Body<Dim>>, const Run<Dim>&); \
-    template Run<Dim> replay(const Trace&, std::vector<lod::Body<Dim>>, RunOptions);
+#define SCENES_INSTANTIATE(Dim)                                               \
+    template Json states(const std::vector<State<Dim>>&);                     \
+    template std::vector<State<Dim>> states_from(const std::vector<double>&); \
+    template Json pairs(const lod::FrameRecord<Dim>&);                        \
+    template Json swept(const lod::FrameRecord<Dim>&);
 SCENES_INSTANTIATE(2)
 SCENES_INSTANTIATE(3)
 #undef SCENES_INSTANTIATE

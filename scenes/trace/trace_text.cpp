@@ -1,0 +1,80 @@
+#include "lodlab/scenes/trace/trace_text.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lodlab/core/math/bit_hash.hpp"
+#include "lodlab/scenes/trace/trace.hpp"
+
+namespace scenes {
+namespace {
+
+constexpr std::uint64_t most_bytes = 500'000'000;  // at once
+constexpr std::uint64_t block = 65536;
+
+std::string check_of(std::string_view text) {
+    lod::BitHash hash;
+    hash.add(text);
+    return ",\"check\":\"" + hexadecimal(hash.value()) + "\"}";
+}
+
+}  // namespace
+
+std::string TraceText::bytes(std::uint64_t begin, std::uint64_t end) {
+    if (end - begin > most_bytes)
+        throw std::runtime_error(std::to_string(end - begin) +
+                                 " bytes without a frame whose bodies it tells, the limit is " +
+                                 std::to_string(most_bytes));
+    std::string text(static_cast<std::size_t>(end - begin), '\0');
+    in_->clear();
+    in_->seekg(static_cast<std::streamoff>(begin));
+    if (!in_->read(text.data(), static_cast<std::streamsize>(text.size())))
+        throw std::runtime_error("byte " + std::to_string(begin) + " and what follows are gone");
+    return text;
+}
+
+std::string TraceText::first_line() {
+    std::string line;
+    for (std::uint64_t end = 0; end < std::min(size_, most_bytes);) {
+        const std::uint64_t begin = end;
+        end = std::min(size_, begin + block);
+        line += bytes(begin, end);
+        const std::size_t newline = line.find('\n', static_cast<std::size_t>(begin));
+        if (newline != std::string::npos) return line.substr(0, newline);
+    }
+    return {};
+}
+
+std::string TraceText::last_line() {
+    std::string line;
+    for (std::uint64_t begin = size_; begin > 0 && size_ - begin < most_bytes;) {
+        const std::uint64_t end = begin;
+        begin = end - std::min(end, block);
+        line.insert(0, bytes(begin, end));
+        if (line.back() != '\n') return {};
+        if (line.size() < 2) continue;
+        const std::size_t newline = line.rfind('\n', line.size() - 2);
+        if (newline != std::string::npos)
+            return line.substr(newline + 1, line.size() - newline - 2);
+    }
+    return {};
+}
+
+std::string checked_line(const nlohmann::ordered_json& object) {
+    using Handler = nlohmann::ordered_json::error_handler_t;
+    std::string text = object.dump(-1, ' ', false, Handler::replace);  // a name
+    text.pop_back();                                                   // the closing brace
+    return text + check_of(text) + "\n";
+}
+
+nlohmann::ordered_json object_of(std::string_view checked_line) {
+    const std::size_t length = check_of({}).size();
+    if (checked_line.size() <= length) throw std::invalid_argument("a line is cut short");
+    const std::string_view text = checked_line.substr(0, checked_line.size() - length);
+    if (checked_line.substr(text.size()) != check_of(text))
+        throw std::invalid_argument("a line does not fit its check");
+    return nlohmann::ordered_json::parse(checked_line);
+}
+
+}  // namespace scenes
