@@ -170,18 +170,14 @@ template <int Dim>
 const Step<Dim>& TracePlayer<Dim>::forward() {
     step();
     const std::int64_t next = frame_ + 1;
-    const std::vector<State<Dim>> played = states_[place(next)];
-    if (next == frames()) {
-        stand_at(next);
-        check_end();
-        return step_;
-    }
-    if (place(next) == interval_.frames.size()) {
+    if (next < frames() && place(next) == interval_.frames.size()) {
+        const std::vector<State<Dim>> played = std::move(states_.back());
         load(next);
-        step_of_ = next - 1;
+        step_of_ = next - 1;  // the runner stands there, and its step stays valid
         check_states(next, played, states_.front());
     }
     stand_at(next);
+    if (next == frames()) check_end();
     return step_;
 }
 

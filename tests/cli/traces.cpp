@@ -129,6 +129,9 @@ TEST_CASE("a run that goes on from its trace ends as one that never stopped, in 
     CHECK(whole["first_frame"] == 0);
     CHECK(on["state_hash"] == whole["state_hash"]);
     CHECK(content(b) == content(c));
+    const Json again = simulate({"--replay", c, "--trace", scratch / "again.json"});
+    CHECK(again["state_hash"] == whole["state_hash"]);
+    CHECK(content(scratch / "again.json") == content(c));
     check_refused(lodlab({"simulate", "gears_in_a_box", "--continue", a, "--duration", "0.5"}), 2,
                   "the trace has 144 frames, 0.6 s, already");
     check_refused(lodlab({"simulate", "offset_boxes", "--continue", a}), 3,

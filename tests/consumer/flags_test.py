@@ -62,7 +62,7 @@ class Consumer:
         environment = dict(os.environ)
         folder = f"{arguments.prefix}/{arguments.libdir}/pkgconfig"
         environment["PKG_CONFIG_PATH"] = folder + ":" + environment.get("PKG_CONFIG_PATH", "")
-        modules = ["lodlab-viz", "lodlab-io", "lodlab-lod2d", "lodlab-lod3d", "lodlab-lod3d_source"]
+        modules = ["lodlab-viz", "lodlab-io", "lodlab-lod2d", "lodlab-lod3d", "lodlab-lod3d_source", "lodlab-scenes"]
 
         def ask(what):
             answer = subprocess.run(["pkg-config", what, *modules], env=environment, check=True,

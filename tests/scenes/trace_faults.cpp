@@ -175,6 +175,23 @@ TEST_CASE("a divergence names the frame, the stage and the first body") {
                    "contacts; the trace was edited or written by another version"));
 }
 
+TEST_CASE("a divergence names the first body of those that move in another way") {
+    const std::string trace = edited(small_trace(), [](Json& line) {
+        if (!line.contains("frame") || line["frame"] != 8) return;
+        line["state_hash"] = "0123456789abcdef";
+        auto marks = line["marks"].get<std::string>();  // four digits a body
+        for (const std::size_t digit : {6, 13}) marks[digit] = marks[digit] == '0' ? '1' : '0';
+        line["marks"] = marks;
+    });
+    const scenes::Difference where = difference(trace);
+    CHECK(where.frame == 8);
+    CHECK(where.stage == scenes::Stage::motion);
+    CHECK(where.body == 1U);
+    CHECK(contains(complaint(trace),
+                   "from frame 8 on, first in the motion; the first body that "
+                   "moves in another way is number 2; the trace was edited"));
+}
+
 TEST_CASE("a body that a trace tells to be elsewhere is named") {
     const auto moved = [](int frame, double metres) {
         return edited(small_trace(), [=](Json& line) {
