@@ -6,11 +6,14 @@
 namespace lod {
 
 template <int Dim>
-BoxTree<Dim>::BoxTree(std::span<const Box<Dim>> boxes) {
-    std::vector<std::size_t> chosen(boxes.size());
-    std::iota(chosen.begin(), chosen.end(), std::size_t{0});
+void BoxTree<Dim>::build(std::span<const Box<Dim>> boxes) {
+    chosen_.resize(boxes.size());
+    std::iota(chosen_.begin(), chosen_.end(), std::size_t{0});
+    nodes_.clear();
     nodes_.reserve(2 * boxes.size());
-    if (!chosen.empty()) build(boxes, chosen);
+    if (!chosen_.empty()) build(boxes, chosen_);
+    rank_.resize(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) rank_[chosen_[i]] = i;
 }
 
 /// Halves the boxes by their centres along the axis on which these spread widest.
@@ -40,6 +43,25 @@ void BoxTree<Dim>::build(std::span<const Box<Dim>> boxes, std::span<std::size_t>
     build(boxes, chosen.first(half));
     nodes_[place].second = nodes_.size();
     build(boxes, chosen.subspan(half));
+}
+
+/// From the root down to its leaf, by the halves in which build() laid them out.
+template <int Dim>
+void BoxTree<Dim>::grow(std::size_t number, const Box<Dim>& box) {
+    std::size_t place = 0;
+    std::size_t rank = rank_[number];
+    for (std::size_t count = rank_.size(); count > 1;) {
+        Node& node = nodes_[place];
+        node.box.hold(box);
+        ++steps_;
+        const std::size_t half = count / 2;
+        const bool is_first = rank < half;
+        place = is_first ? place + 1 : node.second;
+        count = is_first ? half : count - half;
+        if (!is_first) rank -= half;
+    }
+    nodes_[place].box.hold(box);
+    ++steps_;
 }
 
 template <int Dim>

@@ -15,7 +15,14 @@ template <int Dim>
 class BoxTree {
   public:
     /// Requires: no empty box.
-    explicit BoxTree(std::span<const Box<Dim>> boxes);
+    explicit BoxTree(std::span<const Box<Dim>> boxes) { build(boxes); }
+
+    /// The tree of other boxes instead. Allocates only where there were never as many.
+    /// Requires: no empty box.
+    void build(std::span<const Box<Dim>> boxes);
+
+    /// Makes a box hold another one, too.
+    void grow(std::size_t number, const Box<Dim>& box);
 
     struct Node {
         Box<Dim> box;
@@ -39,7 +46,7 @@ class BoxTree {
         return walk(box, steps, test);
     }
 
-    /// How many boxes each_meeting has looked at, in all.
+    /// How many boxes each_meeting and grow have looked at, in all.
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
     /// The root first, parents before their children; none without boxes.
@@ -72,6 +79,8 @@ class BoxTree {
     }
 
     std::vector<Node> nodes_;
+    std::vector<std::size_t> chosen_;  ///< numbers of boxes in the order of the leaves
+    std::vector<std::size_t> rank_;    ///< of each box: its place in that order
     std::uint64_t steps_ = 0;
 };
 

@@ -62,3 +62,35 @@ TEMPLATE_TEST_CASE_SIG("to find each ball's neighbours takes n log n steps, howe
         ++logarithm;
     }
 }
+
+TEMPLATE_TEST_CASE_SIG("a box that grew is named where it is and where it was", "[box_tree]",
+                       ((int Dim), Dim), 2, 3) {
+    check_property(43, 60, [](std::uint64_t seed) {
+        Random random(seed);
+        BoxTree<Dim> tree({});
+        for (int build = 0; build < 2; ++build) {  // the second one into the storage of the first
+            std::vector<Box<Dim>> boxes;
+            for (int i = random.below(40); i >= 0; --i) {
+                const Vector<Dim> low = random_vector<Dim>(random, 3);
+                boxes.push_back({low, low + Vector<Dim>::Constant(random.in(0, 1))});
+            }
+            tree.build(boxes);
+            for (int change = 0; change < 5; ++change) {
+                const auto grown =
+                    static_cast<std::size_t>(random.below(static_cast<int>(boxes.size())));
+                const Vector<Dim> place = random_vector<Dim>(random, 6);
+                tree.grow(grown, {place, place});
+                boxes[grown].hold(place);
+                for (const Box<Dim>& box : boxes) {
+                    std::vector<std::size_t> expected;
+                    for (std::size_t i = 0; i < boxes.size(); ++i)
+                        if (boxes[i].meets(box)) expected.push_back(i);
+                    std::vector<std::size_t> named;
+                    tree.each_meeting(box, [&](std::size_t i) { named.push_back(i); });
+                    std::ranges::sort(named);
+                    RC_ASSERT(named == expected);
+                }
+            }
+        }
+    });
+}
