@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
+#include <numeric>
 
+#include "lodlab/core/base/lists.hpp"
+#include "lodlab/core/broad/body_box.hpp"
 #include "lodlab/core/exact/time_of_impact.hpp"
 #include "lodlab/core/frame/integrate.hpp"
 #include "lodlab/core/frame/schedule.hpp"
@@ -15,7 +17,8 @@ namespace {
 constexpr double forever = std::numeric_limits<double>::infinity();
 constexpr double steps_of_thickness = 0.5;  ///< between two instants that are looked at
 constexpr double most_instants = 65536;     ///< of two bodies that pass each other
-constexpr int halvings = 40;                ///< until the moment of meeting is known to rounding
+constexpr double rounding_of_ways = 64 * std::numeric_limits<double>::epsilon();
+constexpr int halvings = 40;  ///< until the moment of meeting is known to rounding
 
 /// The least width across a face.
 template <int Dim>
@@ -65,38 +68,66 @@ template <int Dim>
 void Sweeper<Dim>::advance(std::span<Body<Dim>> bodies, double time_step,
                            const SweepSettings& settings, const Model& model,
                            std::vector<SweptImpact<Dim>>& found) {
-    bodies_ = bodies;
-    time_step_ = time_step;
     settings_ = settings;
     model_ = model;
     found.clear();
-    meetings_.clear();
-    now_.assign(bodies.size(), 0);
-    impacts_of_.assign(bodies.size(), 0);
-    held_.assign(bodies.size(), 0);
-    measured_.resize(bodies.size());
-    thickness_.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        if (measured_[i] == bodies[i].tree) continue;
-        measured_[i] = bodies[i].tree;
-        thickness_[i] = thickness(*bodies[i].tree);
-    }
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (is_fast(i)) find_those_of(i);
-    while (!meetings_.empty()) {
-        const auto next =
-            std::min_element(meetings_.begin(), meetings_.end(), [](const auto& x, const auto& y) {
-                return std::tie(x.time, x.a, x.b) < std::tie(y.time, y.a, y.b);
-            });
-        Meeting meeting = std::move(*next);
-        forget_those_of(meeting.a, meeting.b);
-        if (!hold(meeting)) answer(meeting, found);
-        find_those_of(static_cast<std::size_t>(meeting.a));
-        find_those_of(static_cast<std::size_t>(meeting.b));
+    if (begin(bodies, time_step)) {
+        const std::uint64_t before = ways_.steps();
+        for (std::size_t i = 0; i < bodies.size(); ++i)
+            if (is_fast(i)) find_those_of(i);
+        for (Meeting meeting; meetings_.take_next(meeting); go_on(meeting))
+            if (!hold(meeting)) answer(meeting, found);
+        steps_ += ways_.steps() - before;
     }
     for (std::size_t i = 0; i < bodies.size(); ++i)
         if (held_[i] == 0 && now_[i] < time_step)
             integrate(bodies.subspan(i, 1), time_step - now_[i]);
+}
+
+/// Returns whether any body is fast.
+template <int Dim>
+bool Sweeper<Dim>::begin(std::span<Body<Dim>> bodies, double time_step) {
+    bodies_ = bodies;
+    time_step_ = time_step;
+    meetings_.clear(bodies.size());
+    half_spaces_.clear();
+    steps_ = 0;
+    ++round_;
+    now_.assign(bodies.size(), 0);
+    impacts_of_.assign(bodies.size(), 0);
+    held_.assign(bodies.size(), 0);
+    sought_in_.resize(bodies.size());
+    measured_.resize(bodies.size());
+    thickness_.resize(bodies.size());
+    bool any = false;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        if (measured_[i] != bodies[i].tree) {
+            measured_[i] = bodies[i].tree;
+            thickness_[i] = thickness(*bodies[i].tree);
+        }
+        if (measured_[i]->is_half_space()) half_spaces_.push_back(i);
+        any = any || is_fast(i);
+    }
+    if (!any) return false;
+    way_boxes_.clear();
+    for (std::size_t i = 0; i < bodies.size(); ++i) way_boxes_.push_back(way_of(i));
+    ways_.build(way_boxes_);
+    return true;
+}
+
+/// The box of what the ball that holds a body sweeps in what is left of the step; a place of no
+/// meaning for a half-space, which is near everything.
+template <int Dim>
+Box<Dim> Sweeper<Dim>::way_of(std::size_t body) const {
+    const Body<Dim>& from = bodies_[body];
+    Box<Dim> way(from.position, from.position);
+    if (held_[body] == 0) way.hold(from.position + (time_step_ - now_[body]) * from.velocity);
+    const double far = std::max(way.low.cwiseAbs().maxCoeff(), way.high.cwiseAbs().maxCoeff());
+    const double extent = measured_[body]->extent;
+    const auto half = Vector<Dim>::Constant(extent + rounding_of_ways * (far + extent));
+    way = Box<Dim>(way.low - half, way.high + half);
+    const Vector<Dim> origin = Vector<Dim>::Zero();
+    return is_somewhere(way) ? way : Box<Dim>(origin, origin);
 }
 
 /// Whether it moves further than its thickness in the whole step.
@@ -253,27 +284,47 @@ bool Sweeper<Dim>::swept_meeting(const Span& span, Meeting& meeting) {
     return false;
 }
 
+/// What follows for the two bodies of a meeting. A static one goes on as before.
 template <int Dim>
-void Sweeper<Dim>::forget_those_of(std::int32_t a, std::int32_t b) {
-    std::erase_if(meetings_,
-                  [&](const Meeting& m) { return m.a == a || m.b == a || m.a == b || m.b == b; });
+void Sweeper<Dim>::go_on(const Meeting& meeting) {
+    ++round_;
+    const std::array two{at(meeting.a), at(meeting.b)};
+    for (const std::size_t body : two) {
+        if (bodies_[body].is_static()) continue;
+        meetings_.change(body);
+        ways_.grow(body, way_of(body));
+    }
+    for (const std::size_t body : two)
+        if (!bodies_[body].is_static()) find_those_of(body);
+}
+
+template <int Dim>
+void Sweeper<Dim>::list_near(std::size_t body) {
+    near_ = half_spaces_;
+    if (measured_[body]->is_half_space()) {
+        near_.resize(bodies_.size());
+        std::iota(near_.begin(), near_.end(), std::size_t{0});
+        return;
+    }
+    ways_.each_meeting(way_of(body), [&](std::size_t other) {
+        if (!measured_[other]->is_half_space()) near_.push_back(other);
+    });
 }
 
 /// The next meetings of a body, with all others where it is fast, else with those that are; but for
-/// pairs that are listed.
+/// those with a body that was sought for in this round.
 template <int Dim>
 void Sweeper<Dim>::find_those_of(std::size_t body) {
     const bool fast = is_fast(body);
-    for (std::size_t other = 0; other < bodies_.size(); ++other) {
-        if (other == body || !(fast || is_fast(other))) continue;
+    list_near(body);
+    for (const std::size_t other : near_) {
+        ++steps_;
+        if (other == body || sought_in_[other] == round_ || !(fast || is_fast(other))) continue;
         const auto [a, b] = std::minmax(body, other);
         Meeting meeting;
-        if (!next_meeting(a, b, meeting)) continue;
-        const bool listed = std::any_of(meetings_.begin(), meetings_.end(), [&](const Meeting& m) {
-            return m.a == meeting.a && m.b == meeting.b;
-        });
-        if (!listed) meetings_.push_back(std::move(meeting));
+        if (next_meeting(a, b, meeting)) meetings_.add(std::move(meeting));
     }
+    sought_in_[body] = round_;
 }
 
 template <int Dim>
@@ -287,11 +338,13 @@ void Sweeper<Dim>::answer(Meeting& meeting, std::vector<SweptImpact<Dim>>& found
     resolver_.resolve(model_.response, impacts_, two, impulses_);
     for (std::size_t i = 0; i < impacts_.size(); ++i)
         found.push_back({meeting.a, meeting.b, meeting.time, meeting.contacts[i], impulses_[i]});
-    bodies_[a] = std::move(two[0]);
-    bodies_[b] = std::move(two[1]);
-    now_[a] = now_[b] = meeting.time;
-    ++impacts_of_[a];
-    ++impacts_of_[b];
+    for (std::size_t i = 0; i < 2; ++i) {
+        const std::size_t body = i == 0 ? a : b;
+        if (bodies_[body].is_static()) continue;
+        bodies_[body] = std::move(two[i]);
+        now_[body] = meeting.time;
+        ++impacts_of_[body];
+    }
 }
 
 /// Where a body that moves has had its impacts, leaves it there. Returns whether it did.

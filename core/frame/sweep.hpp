@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "lodlab/core/contact/front_contacts.hpp"
+#include "lodlab/core/frame/meeting_queue.hpp"
+#include "lodlab/core/math/box_tree.hpp"
 #include "lodlab/core/response/response.hpp"
 
 namespace lod {
@@ -50,6 +52,11 @@ template <int Dim>
 /// thickness of motion, or by their true shapes. Impacts are answered one after the other in the
 /// order of time, each by its two bodies alone, which then go on.
 ///
+/// Where a body is fast, a tree holds the boxes of all bodies' ways through the step, and each fast
+/// body is compared with those alone whose ways come near its own: n log n for n bodies, as much
+/// again for each pair of ways that come near, and log n an impact and a pair that it may bring
+/// about. What an impact does not move keeps the impacts that it was going to have.
+///
 /// Bodies that overlap meet where they approach. A body
 /// with more than most_impacts in a frame stays where it has one more, and others meet it there.
 template <int Dim>
@@ -66,6 +73,9 @@ class Sweeper {
     void advance(std::span<Body<Dim>> bodies, double time_step, const SweepSettings& settings,
                  const Model& model, std::vector<SweptImpact<Dim>>& found);
 
+    /// How many boxes the last advance() looked at, and pairs of bodies.
+    [[nodiscard]] std::uint64_t steps() const { return steps_; }
+
   private:
     /// The next impact of two bodies, A's number below B's.
     struct Meeting {
@@ -81,6 +91,10 @@ class Sweeper {
         double end = 0;
     };
 
+    [[nodiscard]] bool begin(std::span<Body<Dim>> bodies, double time_step);
+    [[nodiscard]] Box<Dim> way_of(std::size_t body) const;
+    void list_near(std::size_t body);
+    void go_on(const Meeting& meeting);
     [[nodiscard]] bool is_fast(std::size_t body) const;
     [[nodiscard]] Body<Dim> at_time(std::size_t body, double time) const;
     [[nodiscard]] bool may_meet(std::size_t a, std::size_t b, Span& span) const;
@@ -90,7 +104,6 @@ class Sweeper {
     [[nodiscard]] bool may_meet_border(std::size_t body, std::size_t border, Span& span) const;
     /// Whether the trees meet then and approach; fills `front_` and the meeting's bodies.
     [[nodiscard]] bool approach_at(Meeting& pair, double time, double step);
-    void forget_those_of(std::int32_t a, std::int32_t b);
     void find_those_of(std::size_t body);
     void answer(Meeting& meeting, std::vector<SweptImpact<Dim>>& found);
     [[nodiscard]] bool hold(const Meeting& meeting);
@@ -105,7 +118,15 @@ class Sweeper {
     std::vector<double> now_;  ///< of each body: to when it has moved [s]
     std::vector<int> impacts_of_;
     std::vector<char> held_;  ///< moves no further in this step
-    std::vector<Meeting> meetings_;
+    MeetingQueue<Meeting> meetings_;
+
+    BoxTree<Dim> ways_{std::span<const Box<Dim>>()};  ///< of each body's way and those before
+    std::vector<Box<Dim>> way_boxes_;
+    std::vector<std::size_t> half_spaces_;
+    std::vector<std::size_t> near_;
+    std::vector<std::uint64_t> sought_in_;  ///< of each body: the last round that sought for it
+    std::uint64_t round_ = 0;
+    std::uint64_t steps_ = 0;
 
     PosedTree<Dim> posed_a_;
     PosedTree<Dim> posed_b_;
