@@ -265,23 +265,30 @@ bool Sweeper<Dim>::swept_meeting(const Span& span, Meeting& meeting) {
     const double instants = std::clamp(std::ceil(way / stride), 1.0, most_instants);
     const double step = length / instants;
     // What approaches at once is answered at once: an answer leaves nothing that approaches.
-    const bool at_once = approach_at(meeting, span.begin, step);
+    if (approach_at(meeting, span.begin, step))
+        return meet_between(span.begin, span.begin, step, meeting);
     for (double instant = 1; instant <= instants; ++instant) {
         const double time = instant < instants ? span.begin + instant * step : span.end;
-        if (!at_once && !approach_at(meeting, time, step)) continue;
-        double free = time - step;
-        double met = at_once ? span.begin : time;
-        for (int i = 0; !at_once && i < halvings; ++i) {
-            const double middle = 0.5 * (free + met);
-            if (!(middle > free && middle < met)) break;
-            (approach_at(meeting, middle, step) ? met : free) = middle;
-        }
-        static_cast<void>(approach_at(meeting, met, step));
-        meeting.contacts.clear();
-        for (const auto& [contact, nodes] : front_.contacts) meeting.contacts.push_back(contact);
-        return true;
+        if (approach_at(meeting, time, step)) return meet_between(time - step, time, step, meeting);
     }
-    return false;
+    // Balls that glance off each other only touch at the beginning and part from the middle on.
+    const double early = span.begin + step / 4;
+    return approach_at(meeting, early, step) && meet_between(span.begin, early, step, meeting);
+}
+
+/// The contacts of when the bodies of a meeting begin to approach and overlap: not yet at `free`,
+/// but at `met`, unless both are the same. Returns true.
+template <int Dim>
+bool Sweeper<Dim>::meet_between(double free, double met, double step, Meeting& meeting) {
+    for (int i = 0; free < met && i < halvings; ++i) {
+        const double middle = 0.5 * (free + met);
+        if (!(middle > free && middle < met)) break;
+        (approach_at(meeting, middle, step) ? met : free) = middle;
+    }
+    static_cast<void>(approach_at(meeting, met, step));
+    meeting.contacts.clear();
+    for (const auto& [contact, nodes] : front_.contacts) meeting.contacts.push_back(contact);
+    return true;
 }
 
 /// What follows for the two bodies of a meeting. A static one goes on as before.

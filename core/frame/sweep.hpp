@@ -101,6 +101,7 @@ class Sweeper {
     [[nodiscard]] bool next_meeting(std::size_t a, std::size_t b, Meeting& meeting);
     [[nodiscard]] bool exact_meeting(const Span& span, Meeting& meeting);
     [[nodiscard]] bool swept_meeting(const Span& span, Meeting& meeting);
+    [[nodiscard]] bool meet_between(double free, double met, double step, Meeting& meeting);
     [[nodiscard]] bool may_meet_border(std::size_t body, std::size_t border, Span& span) const;
     /// Whether the trees meet then and approach; fills `front_` and the meeting's bodies.
     [[nodiscard]] bool approach_at(Meeting& pair, double time, double step);
