@@ -1,8 +1,10 @@
 #include "lodlab/core/frame/broad_phase.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
 
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
@@ -282,4 +284,25 @@ TEMPLATE_TEST_CASE_SIG("half-spaces are candidates of the bodies that move and r
     std::vector<CandidatePair> pairs;
     broad_phase.find(bodies, posed(bodies), pairs);
     CHECK(pairs == expected);
+}
+
+TEST_CASE("cells are sorted by pencil and place, equal ones stay in order", "[broad_phase]") {
+    check_property(43, 60, [](std::uint64_t seed) {
+        Random random(seed);
+        std::vector<GridCell> cells;
+        const int widths[] = {random.below(33), random.below(33), random.below(33)};
+        const auto number = [&](int width) { return random.bits() >> 32 >> (32 - width); };
+        for (int i = random.below(200); i > 0; --i)
+            cells.push_back({number(widths[0]) << 32 | number(widths[1]),
+                             static_cast<std::uint32_t>(number(widths[2])),
+                             static_cast<std::int32_t>(cells.size())});
+        const auto key = [](const GridCell& cell) {
+            return std::tuple(cell.pencil, cell.along, cell.box);
+        };
+        auto expected = cells;
+        std::ranges::sort(expected, {}, key);
+        std::vector<GridCell> spare;
+        sort_cells(cells, spare);
+        RC_ASSERT(std::ranges::equal(cells, expected, {}, key, key));
+    });
 }
