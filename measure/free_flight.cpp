@@ -25,7 +25,6 @@ template <int Dim>
 std::pair<std::int32_t, std::int32_t> family(lod::PosedTree<Dim>& world, std::int32_t node) {
     const auto n = static_cast<std::size_t>(node);
     if (world.tree().is_leaf(node)) return {node, node + 1};
-    world.carry_children(node);
     return {world.tree().first_child[n], world.tree().first_child[n] + world.tree().child_count[n]};
 }
 

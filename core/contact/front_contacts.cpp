@@ -236,15 +236,6 @@ std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>& a, const Body<Dim>&
     PosedTree<Dim> world_b;
     world_a.pose(a);
     world_b.pose(b);
-    // And all above, one of which may speak for them.
-    const auto carry = [](const Body<Dim>& body, std::int32_t node, PosedTree<Dim>& world) {
-        for (; node > 0; node = body.tree->parent[at(node)])
-            world.carry_children(body.tree->parent[at(node)]);
-    };
-    for (const NodePair& nodes : front.pairs) {
-        carry(a, nodes.a, world_a);
-        carry(b, nodes.b, world_b);
-    }
     FrontModel<Dim> found;
     FrontContacts<Dim>().model({world_a, world_b, front.pairs}, choice,
                                pair_motion(a, b, time_step), found);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+
+#include "lodlab/core/tree/family_tests.hpp"
 
 namespace lod {
 
@@ -25,7 +28,9 @@ void FrontList::replace(ListedFront& front, std::size_t begin) {
 namespace {
 
 /// Between two questions to the budget at most so many tests are done.
-constexpr int most_at_once = 64;
+constexpr std::int32_t most_between_questions = 64;
+/// Where there is no question, so many tests of one pair of families; each may need room in a list.
+constexpr std::int32_t most_at_once = 4096;
 
 void conclude(ListedFront& front, bool any_leaf_pair, bool any_children) {
     ++front.level;
@@ -44,138 +49,151 @@ bool meets_border(const HalfSpace<Dim>& half_space, const Sphere<Dim>& ball, dou
 
 /// One level in the making.
 template <int Dim>
-struct Level {
-    PosedTree<Dim>& a;
-    PosedTree<Dim>& b;
-    Budget& budget;
-    FrontList& list;                 ///< what is found is appended to it
-    const std::size_t reserved = 0;  ///< node pairs of this front that the budget reserves already
-    const double slack = a.rounding() + b.rounding();
-    const std::size_t begin = list.size();
-    std::uint64_t tests = 0;
-
-    [[nodiscard]] std::uint64_t more_pairs() const {
-        const std::size_t found = list.size() - begin;
-        return found > reserved ? found - reserved : 0;
-    }
-
-    /// The distance test of one ball, `node` of one tree, against the nodes [first, first + count)
-    /// of the other; `swapped` when these are A's. A plain loop over blocks of fixed length, one
-    /// array a coordinate, which compilers turn into SIMD; every lane does the same operations in
-    /// the same order. No branch depends on the outcome, for no processor can guess it.
-    template <bool swapped>
-    void test_block(const Sphere<Dim>& ball, int node, const PosedTree<Dim>& many, int first,
-                    int count) {
-        constexpr int lanes = PosedTree<Dim>::lanes;
-        NodePair* const out = list.room_for(static_cast<std::size_t>(count));
-        std::size_t n = 0;
-        for (int block = first; block < first + count; block += lanes) {
-            std::array<double, lanes> squared{};
-            std::array<double, lanes> reach{};
-            for (int axis = 0; axis < Dim; ++axis) {
-                const double* centre = many.centres(axis) + block;
-                const double x = ball.centre[axis];
-                for (std::size_t k = 0; k < lanes; ++k)
-                    squared[k] += (centre[k] - x) * (centre[k] - x);
-            }
-            const double* radius = many.radii() + block;
-            for (std::size_t k = 0; k < lanes; ++k)
-                reach[k] = (radius[k] + ball.radius) * (radius[k] + ball.radius);
-            const int end = std::min(lanes, first + count - block);
-            for (int k = 0; k < end; ++k) {
-                out[n] = swapped ? NodePair{block + k, node} : NodePair{node, block + k};
-                n += squared[static_cast<std::size_t>(k)] <= reach[static_cast<std::size_t>(k)];
-            }
-        }
-        list.take(n);
-    }
-
-    /// The same of a half-space, `node` of one tree, which is the only one.
-    template <bool swapped>
-    void test_border(const HalfSpace<Dim>& half_space, const PosedTree<Dim>& many, int first,
-                     int count) {
-        NodePair* const out = list.room_for(static_cast<std::size_t>(count));
-        std::size_t n = 0;
-        for (int node = first; node < first + count; ++node) {
-            out[n] = swapped ? NodePair{node, 0} : NodePair{0, node};
-            n += meets_border(half_space, many.sphere(node), slack);
-        }
-        list.take(n);
-    }
-
-    /// Asks the budget for so many tests. Returns false when it ended.
-    bool pay(int wanted) {
-        const auto granted = budget.grant(static_cast<std::uint64_t>(wanted), more_pairs());
-        tests += granted;
-        return granted == static_cast<std::uint64_t>(wanted);
-    }
-
-    /// A node's ball, grown by all that rounding may have moved it and its partner.
-    Sphere<Dim> grown(const PosedTree<Dim>& world, int node) const {
-        Sphere<Dim> ball;
-        for (int axis = 0; axis < Dim; ++axis) ball.centre[axis] = world.centres(axis)[node];
-        ball.radius = world.radii()[node] + slack;
-        return ball;
-    }
-
-    /// Tests one node of A against nodes [first, first + count) of B; with `swapped`, one node of B
-    /// against nodes of A. Returns false when the budget ended.
-    template <bool swapped>
-    bool test(int node, int first, int count) {
-        const PosedTree<Dim>& one = swapped ? b : a;
-        const PosedTree<Dim>& many = swapped ? a : b;
-        if (one.is_half_space()) {
-            if (!pay(count)) return false;
-            test_border<swapped>(one.half_space(), many, first, count);
-            return true;
-        }
-        const Sphere<Dim> ball = grown(one, node);
-        for (int done = 0; done < count; done += most_at_once) {
-            const int wanted = std::min(most_at_once, count - done);
-            if (!pay(wanted)) return false;
-            test_block<swapped>(ball, node, many, first + done, wanted);
-        }
-        return true;
-    }
-
-    /// Tests all children of one node against all children of another. A small family is paid at
-    /// once. Returns false when the budget ended.
-    bool test_families(int first_a, int count_a, int first_b, int count_b) {
-        const bool at_once = count_b <= most_at_once && count_a <= most_at_once / count_b;
-        if (at_once && !pay(count_a * count_b)) return false;
-        for (int child = first_a; child < first_a + count_a; ++child) {
-            if (at_once)
-                test_block<false>(grown(a, child), child, b, first_b, count_b);
-            else if (!test<false>(child, first_b, count_b))
-                return false;
-        }
-        return true;
-    }
-
-    bool expand(const NodePair& pair) {
-        const auto child_count_a = a.tree().child_count[static_cast<std::size_t>(pair.a)];
-        const auto child_count_b = b.tree().child_count[static_cast<std::size_t>(pair.b)];
-        if (child_count_a == 0 && child_count_b == 0) {
-            *list.room_for(1) = pair;
-            list.take(1);
-            return true;
-        }
-        const auto first_a = a.tree().first_child[static_cast<std::size_t>(pair.a)];
-        const auto first_b = b.tree().first_child[static_cast<std::size_t>(pair.b)];
-        if (child_count_a > 0) a.carry_children(pair.a);
-        if (child_count_b > 0) b.carry_children(pair.b);
-        if (child_count_b == 0) return test<true>(pair.b, first_a, child_count_a);
-        if (child_count_a == 0) return test<false>(pair.a, first_b, child_count_b);
-        return test_families(first_a, child_count_a, first_b, child_count_b);
-    }
+class Level {
+  public:
+    /// What is found is appended to the list. `reserved`: node pairs of the front that the budget
+    /// reserves already.
+    Level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budget, FrontList& list,
+          std::size_t reserved)
+        : a_(a), b_(b), budget_(budget), list_(list), reserved_(reserved) {}
 
     /// All of the level, or false where the budget ended before it was done. By number: the list
     /// may move while it grows.
     bool expand_all(const ListedFront& front) {
-        for (std::int32_t i = 0; i < front.pairs.count; ++i)
-            if (!expand(NodePair(list.pairs_of(front)[static_cast<std::size_t>(i)]))) return false;
-        return budget.keeps_level(more_pairs());
+        const bool done = a_.is_half_space() || b_.is_half_space() ? expand_border(front)
+                                                                   : expand_families(front);
+        return done && budget_.keeps_level(more_pairs());
     }
+
+    /// Whether all that was tested were leaves, for only leaves come after the last node with
+    /// children, the parent of the last node.
+    [[nodiscard]] bool only_leaves() const {
+        return first_a_ > a_.tree().parent.back() && first_b_ > b_.tree().parent.back();
+    }
+    /// Where in the list it begins.
+    [[nodiscard]] std::size_t begin() const { return begin_; }
+    /// Node tests done.
+    [[nodiscard]] std::uint64_t tests() const { return tests_; }
+
+  private:
+    using Families = detail::FamilyTests<Dim>;
+
+    [[nodiscard]] std::uint64_t more_pairs() const {
+        const std::size_t found = list_.size() - begin_;
+        return found > reserved_ ? found - reserved_ : 0;
+    }
+
+    /// Asks the budget for so many tests. Returns false when it ended.
+    bool pay(std::int32_t wanted) {
+        if (wanted == 0) return true;
+        const auto granted = budget_.grant(static_cast<std::uint64_t>(wanted), more_pairs());
+        tests_ += granted;
+        return granted == static_cast<std::uint64_t>(wanted);
+    }
+
+    [[nodiscard]] NodePair pair_of(const ListedFront& front, std::size_t i) const {
+        return list_.pairs_of(front)[i];
+    }
+
+    /// A half-space, the only node of one tree, against the other's nodes.
+    bool expand_border(const ListedFront& front) {
+        const PosedTree<Dim>& many = a_.is_half_space() ? b_ : a_;
+        const HalfSpace<Dim> border = a_.is_half_space() ? a_.half_space() : b_.half_space();
+        const double slack = a_.rounding() + b_.rounding();
+        for (std::size_t i = 0; i < list_.pairs_of(front).size(); ++i) {
+            const NodePair pair = pair_of(front, i);
+            const std::int32_t parent = a_.is_half_space() ? pair.b : pair.a;
+            const std::int32_t count = many.tree().child_count[static_cast<std::size_t>(parent)];
+            const std::int32_t first = many.tree().first_child[static_cast<std::size_t>(parent)];
+            if (!pay(count)) return false;
+            std::int32_t& first_tested = a_.is_half_space() ? first_b_ : first_a_;
+            first_tested = std::min(first_tested, count == 0 ? parent : first);
+            NodePair* out = list_.room_for(static_cast<std::size_t>(count) + 1);
+            std::size_t n = 0;
+            if (count == 0) out[n++] = pair;
+            for (std::int32_t node = first; node < first + count; ++node) {
+                out[n] = a_.is_half_space() ? NodePair{0, node} : NodePair{node, 0};
+                n += meets_border(border, many.sphere(node), slack);
+            }
+            list_.take(n);
+        }
+        return true;
+    }
+
+    bool expand_families(const ListedFront& front) {
+        const bool unlimited = budget_.is_unlimited();
+        const auto count = static_cast<std::size_t>(front.pairs.count);
+        for (std::size_t i = 0; i < count;) {
+            std::size_t some = std::min(count - i, pairs_at_once);
+            if (!unlimited) {
+                const detail::FamilyPair next = families_.families_of(pair_of(front, i));
+                some = 1;
+                if (std::max(next.count_a, next.count_b) <= detail::small_family &&
+                    !pay(next.count_a * next.count_b))
+                    return false;
+            }
+            NodePair* const out =
+                list_.room_for(some * detail::room_of_small + detail::room_beyond);
+            const detail::FamiliesTested done =
+                kernel_.of_pairs(families_, list_.pairs_of(front).data() + i, some, out);
+            note(done);
+            if (unlimited) tests_ += done.tests;
+            i += done.node_pairs;
+            if (done.node_pairs < some && !test_large(pair_of(front, i++), unlimited)) return false;
+        }
+        if (unlimited) budget_.spend(tests_);
+        return true;
+    }
+
+    void note(const detail::FamiliesTested& done) {
+        list_.take(done.found);
+        first_a_ = std::min(first_a_, done.first_a);
+        first_b_ = std::min(first_b_, done.first_b);
+    }
+
+    /// Families that are not small, part by part, in the order of their node pairs. Returns false
+    /// where the budget ended.
+    bool test_large(const NodePair& nodes, bool unlimited) {
+        const std::int32_t most = unlimited ? most_at_once : most_between_questions;
+        const detail::FamilyPair pair = families_.families_of(nodes);
+        const bool whole = pair.count_b <= most && pair.count_a <= most / pair.count_b;
+        const std::int32_t rows = whole ? pair.count_a : pair.count_b == 1 ? most : 1;
+        for (std::int32_t i = 0; i < pair.count_a; i += rows)
+            for (std::int32_t k = 0; k < pair.count_b; k += most) {
+                detail::FamilyPair part = pair;
+                part.single_a += i;
+                part.single_b += k;
+                part.first_a += i;
+                part.first_b += k;
+                part.count_a = std::min(rows, pair.count_a - i);
+                part.count_b = std::min(most, pair.count_b - k);
+                const std::int32_t wanted = part.count_a * part.count_b;
+                if (unlimited)
+                    tests_ += static_cast<std::uint64_t>(wanted);
+                else if (!pay(wanted))
+                    return false;
+                NodePair* const out =
+                    list_.room_for(static_cast<std::size_t>(wanted) + detail::room_beyond);
+                note({1, kernel_.of_families(families_, part, out), 0, part.first_a, part.first_b});
+            }
+        return true;
+    }
+
+    /// So many node pairs are tested before there must be more room in the list.
+    static constexpr std::size_t pairs_at_once = 64;
+
+    const PosedTree<Dim>& a_;
+    const PosedTree<Dim>& b_;
+    Budget& budget_;
+    FrontList& list_;
+    const std::size_t reserved_;
+    const std::size_t begin_ = list_.size();
+    std::uint64_t tests_ = 0;
+    const Families families_{a_, b_};
+    const detail::FamilyKernel<Dim>& kernel_ =
+        families_.serves() ? detail::test_path().kernel<Dim>() : detail::double_kernel<Dim>();
+    std::int32_t first_a_ = (std::numeric_limits<std::int32_t>::max)();  ///< least node tested
+    std::int32_t first_b_ = first_a_;
 };
 
 template <int Dim>
@@ -206,18 +224,22 @@ void test_roots(const PosedTree<Dim>& a, const PosedTree<Dim>& b, ListedFront& f
 }
 
 template <int Dim>
-Refinement refine(PosedTree<Dim>& a, PosedTree<Dim>& b, Budget& budget, ListedFront& front,
-                  FrontList& list) {
-    Level<Dim> level{a, b, budget, list, static_cast<std::size_t>(front.pairs.count)};
+Refinement refine(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budget,
+                  ListedFront& front, FrontList& list) {
+    Level<Dim> level(a, b, budget, list, static_cast<std::size_t>(front.pairs.count));
     const bool done = level.expand_all(front);
-    front.tests += level.tests;
+    front.tests += level.tests();
     if (!done) {
-        list.shorten(level.begin);
+        list.shorten(level.begin());
         return Refinement::interrupted;
     }
-    list.replace(front, level.begin);
-    bool any_leaf_pair = false;
+    list.replace(front, level.begin());
+    bool any_leaf_pair = level.only_leaves() && front.pairs.count > 0;
     bool any_children = false;
+    if (level.only_leaves()) {
+        conclude(front, any_leaf_pair, false);
+        return Refinement::finished;
+    }
     for (const NodePair& pair : list.pairs_of(front)) {
         const bool leaves = a.tree().is_leaf(pair.a) && b.tree().is_leaf(pair.b);
         any_leaf_pair |= leaves;
@@ -248,8 +270,8 @@ std::vector<Front> traverse_levels(const Body<Dim>& a, const Body<Dim>& b, int d
 #define LOD_INSTANTIATE(Dim)                                                             \
     template void test_roots(const PosedTree<Dim>&, const PosedTree<Dim>&, ListedFront&, \
                              FrontList&);                                                \
-    template Refinement refine(PosedTree<Dim>&, PosedTree<Dim>&, Budget&, ListedFront&,  \
-                               FrontList&);                                              \
+    template Refinement refine(const PosedTree<Dim>&, const PosedTree<Dim>&, Budget&,    \
+                               ListedFront&, FrontList&);                                \
     template std::vector<Front> traverse_levels(const Body<Dim>&, const Body<Dim>&, int);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)

@@ -104,7 +104,7 @@ void test_roots(const PosedTree<Dim>& a, const PosedTree<Dim>& b, ListedFront& f
 /// `front` are taken to be reserved already (Budget::reserve). Requires: front.level >= 0 and not
 /// front.finest.
 template <int Dim>
-[[nodiscard]] Refinement refine(PosedTree<Dim>& a, PosedTree<Dim>& b, Budget& budget,
+[[nodiscard]] Refinement refine(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budget,
                                 ListedFront& front, FrontList& list);
 
 /// Every level of one body pair, from the roots to the finest (or to `deepest`), for pictures,

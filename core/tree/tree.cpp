@@ -74,6 +74,26 @@ Order breadth_first(std::span<const TreeNode<Dim>> nodes) {
     return order;
 }
 
+/// SphereTree::single, of all else.
+template <int Dim>
+std::vector<float> single_of(const SphereTree<Dim>& tree) {
+    std::vector<float> single;
+    const auto add_family = [&](std::size_t first, std::size_t count) {
+        const auto add = [&](const std::vector<double>& numbers) {
+            for (std::size_t i = first; i < first + count; ++i)
+                single.push_back(static_cast<float>(numbers[i]));
+        };
+        for (const std::vector<double>& axis : tree.centre) add(axis);
+        add(tree.radius);
+    };
+    add_family(0, 1);
+    for (std::size_t node = 0; node < tree.radius.size(); ++node)
+        add_family(static_cast<std::size_t>(tree.first_child[node]),
+                   static_cast<std::size_t>(tree.child_count[node]));
+    single.resize(single.size() + SphereTree<Dim>::single_room, 0);
+    return single;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -98,6 +118,7 @@ SphereTree<Dim> lay_out(std::span<const TreeNode<Dim>> nodes) {
             tree.parent[static_cast<std::size_t>(next_child + c)] = static_cast<std::int32_t>(i);
         next_child += count;
     }
+    tree.single = single_of(tree);
     return tree;
 }
 

@@ -36,6 +36,10 @@ struct SphereTree {
     /// Radius of the ball about the body's origin that holds every node [m]; lay_out sets it. It
     /// bounds the rounding of a posed tree.
     double extent = 0;
+    /// A copy of centres and radii in single precision, for tests of whole families: x, y, (z) and
+    /// radius of the root, then of each family in turn all x, all y, (all z), all radii, and some
+    /// zeros. lay_out sets it; without it, or with one of another length, tests take longer.
+    std::vector<float> single;
     /// Of a half-space: the outward unit normal of its border, which goes through the origin. Its
     /// only node stands for all of it, exactly; that node's ball is meaningless.
     std::optional<Vector<Dim>> half_space;
@@ -59,6 +63,9 @@ struct SphereTree {
 
     /// The nodes of level k and the leaves above it, in order of their numbers.
     [[nodiscard]] std::vector<int> level_nodes(int level) const;
+
+    /// Zeros at the end of `single`, so that a whole block of numbers may be read from any on.
+    static constexpr std::size_t single_room = 16;
 
     /// A node's number as the index of an array.
     static std::size_t index(int node) { return static_cast<std::size_t>(node); }

@@ -73,6 +73,7 @@ ONE_SOURCE = {
     "libwebp": r"<webp/",
     "assimp": r"<assimp/",
     "Eigen": r"<Eigen/",
+    "Highway": r"<hwy/",
 }
 
 # Files, signals, processes and threads are not these rooms' affair; they compute anywhere.

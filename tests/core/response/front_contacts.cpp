@@ -129,9 +129,6 @@ TEMPLATE_TEST_CASE_SIG("a patch is what a flood over shared nodes reaches", "[fr
         PosedTree<Dim> world_b;
         world_a.pose(a);
         world_b.pose(b);
-        for (PosedTree<Dim>* world : {&world_a, &world_b})
-            for (int node = 0; node < world->tree().size(); ++node)
-                if (!world->tree().is_leaf(node)) world->carry_children(node);
         FrontModel<Dim> found;
         modeller.model({world_a, world_b, front.pairs}, {ContactModel::node_normal},
                        pair_motion(a, b, 0), found);

@@ -34,12 +34,6 @@ Eigen::Matrix<Wide, Dim, 1> wide_centre(const Body<Dim>& body, int node) {
 }
 
 template <int Dim>
-void carry_all(PosedTree<Dim>& world) {
-    for (int node = 0; node < world.tree().size(); ++node)
-        if (!world.tree().is_leaf(node)) world.carry_children(node);
-}
-
-template <int Dim>
 Body<Dim> placed(Random& random, double far) {
     Body<Dim> body = random_body<Dim>(random);
     body.tree = random_tree<Dim>(random, 3, 4, random.in(0.1, 10));
@@ -60,7 +54,6 @@ TEMPLATE_TEST_CASE_SIG("carried centres stay within the rounding bound", "[posed
         const Body<Dim> body = placed<Dim>(random, trial % 3 == 0 ? 1e4 : 3.0);
         PosedTree<Dim> world;
         world.pose(body);
-        carry_all(world);
         for (int node = 0; node < body.tree->size(); ++node) {
             const auto off = (wide(world.sphere(node).centre) - wide_centre(body, node)).norm();
             worst = std::max(worst, static_cast<double>(off) / world.rounding());
@@ -94,29 +87,6 @@ TEMPLATE_TEST_CASE_SIG("two turned balls that just touch are never called apart"
     }
 }
 
-TEMPLATE_TEST_CASE_SIG("only the families that were asked for are carried, once a pose",
-                       "[posed_tree]", ((int Dim), Dim), 2, 3) {
-    Body<Dim> body = planar_body<Dim>(1, 1);
-    body.tree = box_tree<Dim>(2, 1, 3);
-    PosedTree<Dim> world;
-    world.pose(body);
-    CHECK(world.carried_nodes() == 1);  // the root
-    world.carry_children(0);
-    CHECK(world.carried_nodes() == 5);
-    world.carry_children(0);  // again: nothing to do
-    CHECK(world.carried_nodes() == 5);
-    world.carry_children(3);
-    CHECK(world.carried_nodes() == 9);
-
-    const Vector<Dim> before = world.sphere(13).centre;  // first child of node 3
-    body.position += planar<Dim>(1, 0);
-    world.pose(body);
-    CHECK(world.carried_nodes() == 1);
-    world.carry_children(3);
-    CHECK(world.carried_nodes() == 5);
-    CHECK((world.sphere(13).centre - before - planar<Dim>(1, 0)).norm() <= world.rounding());
-}
-
 TEMPLATE_TEST_CASE_SIG("a posed tree may take over a larger tree and a smaller one again",
                        "[posed_tree]", ((int Dim), Dim), 2, 3) {
     Body<Dim> body = planar_body<Dim>(1, 1);
@@ -126,8 +96,6 @@ TEMPLATE_TEST_CASE_SIG("a posed tree may take over a larger tree and a smaller o
     for (const auto& tree : {small, large, small, large}) {
         body.tree = tree;
         world.pose(body);
-        carry_all(world);
-        CHECK(world.carried_nodes() == tree->size());
         for (int node = 0; node < tree->size(); ++node) {
             CHECK((world.sphere(node).centre - tree->sphere(node).centre).norm() <=
                   world.rounding());

@@ -1,0 +1,338 @@
+#include "lodlab/core/tree/portable_block.hpp"
+
+// This file is compiled once for what the program is compiled for, and, where Highway's headers
+// are, once more for each newer set of instructions. Of Highway the headers alone are taken, and
+// the compiler tells which sets a processor has, so that no program need link that library.
+#ifdef LODLAB_HIGHWAY
+#define HWY_IS_DEBUG_BUILD 0
+#define HWY_WANT_AVX3_DL
+#define HWY_DISABLE_F16C
+#define HWY_DISABLE_PCLMUL_AES
+#define HWY_DISABLED_TARGETS (~(HWY_AVX3_DL | HWY_AVX2 | HWY_EMU128 | HWY_SCALAR))
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/tree/family_kernels.cpp"
+#include <hwy/foreach_target.h>
+// After it:
+#include <hwy/highway.h>
+#define LOD_AVX512 (HWY_TARGET == HWY_AVX3_DL)
+#define LOD_AVX2 (HWY_TARGET == HWY_AVX2)
+#else
+#define HWY_NAMESPACE N_COMPILED_FOR
+#define HWY_BEFORE_NAMESPACE() static_assert(true)
+#define HWY_AFTER_NAMESPACE() static_assert(true)
+#define HWY_ONCE 1
+#define HWY_TARGETS 0
+#define LOD_AVX512 0
+#define LOD_AVX2 0
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace lod::detail::HWY_NAMESPACE {
+
+#if LOD_AVX512 || LOD_AVX2
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr int lanes = LOD_AVX512 ? 16 : 8;
+using Tag = hn::FixedTag<float, lanes>;
+constexpr Tag tag;
+constexpr hn::RebindToSigned<Tag> integers;
+using V = hn::Vec<Tag>;
+using Indices = decltype(hn::IndicesFromVec(tag, hn::Iota(integers, 0)));
+
+/// One bit a number: whether it is below zero.
+LOD_INLINE std::uint64_t bits_below_zero(V v) {
+#if LOD_AVX512
+    return _mm512_movepi32_mask(_mm512_castps_si512(v.raw));
+#else
+    return static_cast<std::uint32_t>(_mm256_movemask_ps(v.raw));
+#endif
+}
+
+/// Where the numbers of two families of at most `width` nodes go in a register: A's node number
+/// group x rows + lane / width meets B's node number lane % width.
+template <int width>
+struct Spread {
+    static constexpr int rows = lanes / width;
+    static constexpr int groups = width / rows;
+    static constexpr int shift = width == 8 ? 3 : 2;
+
+    LOD_INLINE Spread() {
+        const auto lane = hn::Iota(integers, 0);
+        b = hn::IndicesFromVec(tag, hn::And(lane, hn::Set(integers, width - 1)));
+        for (int g = 0; g < groups; ++g)
+            a[g] = hn::IndicesFromVec(
+                tag, hn::Add(hn::ShiftRight<shift>(lane), hn::Set(integers, g * rows)));
+    }
+    LOD_INLINE V of_a(const float* from, int group) const {
+        if constexpr (rows == 1)
+            return hn::Set(tag, from[group]);
+        else
+            return hn::TableLookupLanes(hn::LoadU(tag, from), a[group]);
+    }
+    LOD_INLINE V of_b(const float* from) const {
+        if constexpr (rows == 1)
+            return hn::LoadU(tag, from);
+        else
+            return hn::TableLookupLanes(hn::LoadU(tag, from), b);
+    }
+
+    Indices b;
+    Indices a[groups];
+};
+
+template <int Dim>
+class Block {
+  public:
+    LOD_INLINE explicit Block(const FamilyTests<Dim>& tests) {
+        for (int i = 0; i < Dim * Dim; ++i) turn_[i] = hn::Set(tag, tests.turn()[i]);
+        for (int i = 0; i < Dim; ++i) shift_[i] = hn::Set(tag, tests.shift()[i]);
+        reach_ = hn::Set(tag, tests.reach());
+        doubt_ = hn::Set(tag, tests.doubt());
+    }
+
+    /// Which tests may be met, and whether rounding might decide one of them (or of what lies
+    /// behind the families).
+    template <int width>
+    LOD_INLINE Hits test(const FamilyPair& pair) const {
+        const Carried b = carried<width>(pair);
+        V doubtful = hn::Zero(tag);
+        std::uint64_t apart = 0;
+        for (int g = 0; g < Spread<width>::groups; ++g) {
+            if (2 * g == Spread<width>::groups && 2 * pair.count_a <= width) break;
+            const Gap gap = test_group<width>(pair, b, g);
+            apart |= bits_below_zero(gap.over) << (g * lanes);
+            doubtful = hn::Or(doubtful, hn::AndNot(gap.over, gap.over_doubt));
+        }
+        return {~apart, bits_below_zero(doubtful) != 0};
+    }
+
+    /// Which tests are met whatever rounding did.
+    template <int width>
+    [[gnu::noinline]] std::uint64_t surely(const FamilyPair pair) const {
+        const Carried b = carried<width>(pair);
+        std::uint64_t not_sure = 0;
+        for (int g = 0; g < Spread<width>::groups; ++g)
+            not_sure |= bits_below_zero(test_group<width>(pair, b, g).over_doubt) << (g * lanes);
+        return ~not_sure;
+    }
+
+  private:
+    /// Nodes of B in A's frame.
+    struct Carried {
+        V centre[Dim];
+        V radius;
+    };
+    /// By how much the square of the reach is above that of the distance, and above what rounding
+    /// might decide.
+    struct Gap {
+        V over;
+        V over_doubt;
+    };
+
+    template <int width>
+    LOD_INLINE Carried carried(const FamilyPair& pair) const {
+        const Spread<width>& spread = of_width(std::integral_constant<int, width>());
+        V part[Dim];
+        for (int d = 0; d < Dim; ++d) part[d] = spread.of_b(pair.single_b + d * pair.stride_b);
+        Carried b;
+        for (int d = 0; d < Dim; ++d) {
+            b.centre[d] = shift_[d];
+            for (int k = 0; k < Dim; ++k)
+                b.centre[d] = hn::MulAdd(turn_[d * Dim + k], part[k], b.centre[d]);
+        }
+        b.radius = hn::Add(spread.of_b(pair.single_b + Dim * pair.stride_b), reach_);
+        return b;
+    }
+
+    template <int width>
+    LOD_INLINE Gap test_group(const FamilyPair& pair, const Carried& b, int group) const {
+        const Spread<width>& spread = of_width(std::integral_constant<int, width>());
+        const V reach = hn::Add(spread.of_a(pair.single_a + Dim * pair.stride_a, group), b.radius);
+        V over = hn::Mul(reach, reach);
+        for (int d = 0; d < Dim; ++d) {
+            const V between =
+                hn::Sub(spread.of_a(pair.single_a + d * pair.stride_a, group), b.centre[d]);
+            over = hn::NegMulAdd(between, between, over);
+        }
+        return {over, hn::NegMulAdd(doubt_, reach, over)};
+    }
+
+    LOD_INLINE const Spread<4>& of_width(std::integral_constant<int, 4>) const { return four_; }
+    LOD_INLINE const Spread<8>& of_width(std::integral_constant<int, 8>) const { return eight_; }
+
+    Spread<4> four_;
+    Spread<8> eight_;
+    V turn_[Dim * Dim];
+    V shift_[Dim];
+    V reach_;
+    V doubt_;
+};
+
+#else
+
+template <int Dim>
+using Block = PortableBlock<Dim>;
+
+#endif
+
+/// The bits of families of that many nodes.
+template <int width>
+LOD_INLINE std::uint64_t all_of(const FamilyPair& pair) {
+    constexpr std::uint64_t every = ~std::uint64_t{0};
+    constexpr std::uint64_t one_a_row = width == 8 ? every / 0xff : every / 0xf;
+    return (one_a_row * ((std::uint64_t{1} << pair.count_b) - 1)) &
+           (every >> (64 - width * pair.count_a));
+}
+
+/// Settles the tests that rounding might decide.
+template <int width, int Dim>
+[[gnu::noinline]] std::uint64_t decided(const FamilyTests<Dim>& tests, const NodePair first,
+                                        bool leaf_b, std::uint64_t hits, std::uint64_t surely) {
+    for (std::uint64_t doubtful = hits & ~surely; doubtful != 0; doubtful &= doubtful - 1) {
+        const int bit = __builtin_ctzll(doubtful);
+        if (!tests.meet_exactly(first.a + bit / width, first.b + bit % width, leaf_b))
+            hits ^= std::uint64_t{1} << bit;
+    }
+    return hits;
+}
+
+template <int width, int Dim>
+LOD_INLINE std::uint64_t hits_of(const Block<Dim>& block, const FamilyTests<Dim>& tests,
+                                 const FamilyPair& pair) {
+    const Hits met = block.template test<width>(pair);
+    const std::uint64_t hits = met.maybe & all_of<width>(pair);
+    if (!met.doubtful) [[likely]]
+        return hits;
+    return decided<width>(tests, {pair.first_a, pair.first_b}, pair.leaf_b, hits,
+                          block.template surely<width>(pair));
+}
+
+/// Lists the node pairs of the hits, many at a time whatever their number: no processor can guess
+/// how many there are.
+template <int width>
+LOD_INLINE NodePair* list(std::uint64_t hits, const NodePair& first, NodePair* out) {
+    constexpr int shift = width == 8 ? 3 : 2;
+    NodePair* const end = out + __builtin_popcountll(hits);
+#if LOD_AVX512
+    alignas(64) static constexpr std::uint8_t numbers[64] = {
+        0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
+        22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43,
+        44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63};
+    __m512i bits = _mm512_maskz_compress_epi8(hits, _mm512_load_si512(numbers));
+    const __m512i base = _mm512_set1_epi64(static_cast<std::int64_t>(first.b) << 32 |
+                                           static_cast<std::uint32_t>(first.a));
+    const __m512i column = _mm512_set1_epi64(width - 1);
+    do {
+        const __m512i eight = _mm512_cvtepu8_epi64(_mm512_castsi512_si128(bits));
+        const __m512i of_a = _mm512_srli_epi64(eight, shift);
+        const __m512i of_b = _mm512_slli_epi64(_mm512_and_si512(eight, column), 32);
+        _mm512_storeu_si512(out, _mm512_add_epi32(base, _mm512_or_si512(of_a, of_b)));
+        bits = _mm512_alignr_epi64(bits, bits, 1);
+        out += 8;
+    } while (out < end);
+#else
+    while (hits != 0) {
+        for (int k = 0; k < 4; ++k) {
+            const int bit = __builtin_ctzll(hits | std::uint64_t{1} << 63);
+            out[k] = {first.a + (bit >> shift), first.b + (bit & (width - 1))};
+            hits &= hits - 1;
+        }
+        out += 4;
+    }
+#endif
+    return end;
+}
+
+/// All tests come first, then the lists: a branch on an outcome, which no processor can guess,
+/// would throw away the tests begun behind it.
+template <int Dim>
+FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, std::size_t count,
+                          NodePair* out) {
+    constexpr std::size_t at_a_time = 32;
+    const Block<Dim> block(tests);
+    std::uint64_t hits[at_a_time];
+    NodePair first[at_a_time];
+    bool of_four[at_a_time];
+    std::uint64_t test_count = 0;
+    std::int32_t first_a = FamiliesTested().first_a;
+    std::int32_t first_b = first_a;
+    NodePair* end = out;
+    std::size_t i = 0;
+    for (bool small = true; small && i < count;) {
+        std::size_t n = 0;
+        for (; n < at_a_time && i < count; ++n, ++i) {
+            const FamilyPair pair = tests.families_of(pairs[i]);
+            small = pair.count_a <= small_family && pair.count_b <= small_family;
+            if (!small) break;
+            of_four[n] = pair.count_a <= 4 && pair.count_b <= 4;
+            if (!of_four[n])
+                hits[n] = hits_of<8>(block, tests, pair);
+            else
+                hits[n] = pair.count_a == 0 ? 1 : hits_of<4>(block, tests, pair);
+            first[n] = {pair.first_a, pair.first_b};
+            test_count += static_cast<std::uint32_t>(pair.count_a * pair.count_b);
+            first_a = pair.first_a < first_a ? pair.first_a : first_a;
+            first_b = pair.first_b < first_b ? pair.first_b : first_b;
+        }
+        for (std::size_t k = 0; k < n; ++k)
+            end = of_four[k] ? list<4>(hits[k], first[k], end) : list<8>(hits[k], first[k], end);
+    }
+    return {i, static_cast<std::size_t>(end - out), test_count, first_a, first_b};
+}
+
+/// One node of A after the other against eight of B, so that the order stays A's.
+template <int Dim>
+std::size_t test_families(const FamilyTests<Dim>& tests, const FamilyPair& pair, NodePair* out) {
+    const Block<Dim> block(tests);
+    NodePair* end = out;
+    for (std::int32_t i = 0; i < pair.count_a; ++i)
+        for (std::int32_t k = 0; k < pair.count_b; k += small_family) {
+            FamilyPair part = pair;
+            part.single_a += i;
+            part.single_b += k;
+            part.first_a += i;
+            part.first_b += k;
+            part.count_a = 1;
+            part.count_b = pair.count_b - k < small_family ? pair.count_b - k : small_family;
+            end = list<8>(hits_of<8>(block, tests, part), {part.first_a, part.first_b}, end);
+        }
+    return static_cast<std::size_t>(end - out);
+}
+
+constexpr TestPath path{LOD_AVX512 ? "avx512"
+                        : LOD_AVX2 ? "avx2"
+                                   : "portable",
+                        {FamilyKernel<2>{test_pairs<2>, test_families<2>},
+                         FamilyKernel<3>{test_pairs<3>, test_families<3>}}};
+
+}  // namespace lod::detail::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#undef LOD_AVX512
+#undef LOD_AVX2
+
+#if HWY_ONCE
+namespace lod::detail {
+
+std::vector<TestPath> compiled_paths() {
+    std::vector<TestPath> paths;
+#ifdef LODLAB_HIGHWAY
+#if HWY_TARGETS & HWY_AVX3_DL & ~HWY_STATIC_TARGET
+    if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512dq") &&
+        __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512vbmi") &&
+        __builtin_cpu_supports("avx512vbmi2") && __builtin_cpu_supports("avx512bitalg") &&
+        __builtin_cpu_supports("avx512vpopcntdq"))
+        paths.push_back(N_AVX3_DL::path);
+#endif
+#if HWY_TARGETS & HWY_AVX2 & ~HWY_STATIC_TARGET
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+        __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2"))
+        paths.push_back(N_AVX2::path);
+#endif
+#endif
+    paths.push_back(HWY_NAMESPACE::path);
+    return paths;
+}
+
+}  // namespace lod::detail
+#endif
