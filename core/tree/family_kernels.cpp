@@ -104,7 +104,7 @@ class Block {
             apart |= bits_below_zero(gap.over) << (g * lanes);
             doubtful = hn::Or(doubtful, hn::AndNot(gap.over, gap.over_doubt));
         }
-        return {~apart, bits_below_zero(doubtful) != 0};
+        return {~apart & all_of<width>(pair), bits_below_zero(doubtful) != 0};
     }
 
     /// Which tests are met whatever rounding did.
@@ -137,8 +137,8 @@ class Block {
         for (int d = 0; d < Dim; ++d) part[d] = spread.of_b(pair.single_b + d * pair.stride_b);
         Carried b;
         for (int d = 0; d < Dim; ++d) {
-            b.centre[d] = shift_[d];
-            for (int k = 0; k < Dim; ++k)
+            b.centre[d] = hn::MulAdd(turn_[d * Dim], part[0], shift_[d]);
+            for (int k = 1; k < Dim; ++k)
                 b.centre[d] = hn::MulAdd(turn_[d * Dim + k], part[k], b.centre[d]);
         }
         b.radius = hn::Add(spread.of_b(pair.single_b + Dim * pair.stride_b), reach_);
@@ -176,36 +176,18 @@ using Block = PortableBlock<Dim>;
 
 #endif
 
-/// The bits of families of that many nodes.
-template <int width>
-LOD_INLINE std::uint64_t all_of(const FamilyPair& pair) {
-    constexpr std::uint64_t every = ~std::uint64_t{0};
-    constexpr std::uint64_t one_a_row = width == 8 ? every / 0xff : every / 0xf;
-    return (one_a_row * ((std::uint64_t{1} << pair.count_b) - 1)) &
-           (every >> (64 - width * pair.count_a));
-}
-
-/// Settles the tests that rounding might decide.
+/// Settles the hits that rounding might decide.
 template <int width, int Dim>
-[[gnu::noinline]] std::uint64_t decided(const FamilyTests<Dim>& tests, const NodePair first,
-                                        bool leaf_b, std::uint64_t hits, std::uint64_t surely) {
-    for (std::uint64_t doubtful = hits & ~surely; doubtful != 0; doubtful &= doubtful - 1) {
+std::uint64_t settled(const Block<Dim>& block, const FamilyTests<Dim>& tests,
+                      const FamilyPair& pair, std::uint64_t hits) {
+    for (std::uint64_t doubtful = hits & ~block.template surely<width>(pair); doubtful != 0;
+         doubtful &= doubtful - 1) {
         const int bit = __builtin_ctzll(doubtful);
-        if (!tests.meet_exactly(first.a + bit / width, first.b + bit % width, leaf_b))
+        if (!tests.meet_exactly(pair.first_a + bit / width, pair.first_b + bit % width,
+                                pair.leaf_b))
             hits ^= std::uint64_t{1} << bit;
     }
     return hits;
-}
-
-template <int width, int Dim>
-LOD_INLINE std::uint64_t hits_of(const Block<Dim>& block, const FamilyTests<Dim>& tests,
-                                 const FamilyPair& pair) {
-    const Hits met = block.template test<width>(pair);
-    const std::uint64_t hits = met.maybe & all_of<width>(pair);
-    if (!met.doubtful) [[likely]]
-        return hits;
-    return decided<width>(tests, {pair.first_a, pair.first_b}, pair.leaf_b, hits,
-                          block.template surely<width>(pair));
 }
 
 /// Lists the node pairs of the hits, many at a time whatever their number: no processor can guess
@@ -260,23 +242,33 @@ FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, 
     NodePair* end = out;
     std::size_t i = 0;
     for (bool small = true; small && i < count;) {
-        std::size_t n = 0;
-        for (; n < at_a_time && i < count; ++n, ++i) {
+        const std::size_t begin = i;
+        std::uint32_t doubtful = 0;
+        for (std::size_t n = 0; n < at_a_time && i < count; ++n, ++i) {
             const FamilyPair pair = tests.families_of(pairs[i]);
             small = pair.count_a <= small_family && pair.count_b <= small_family;
             if (!small) break;
             of_four[n] = pair.count_a <= 4 && pair.count_b <= 4;
+            Hits met{1, false};
             if (!of_four[n])
-                hits[n] = hits_of<8>(block, tests, pair);
-            else
-                hits[n] = pair.count_a == 0 ? 1 : hits_of<4>(block, tests, pair);
+                met = block.template test<8>(pair);
+            else if (pair.count_a > 0)
+                met = block.template test<4>(pair);
+            hits[n] = met.maybe;
+            doubtful |= static_cast<std::uint32_t>(met.doubtful) << n;
             first[n] = {pair.first_a, pair.first_b};
             test_count += static_cast<std::uint32_t>(pair.count_a * pair.count_b);
             first_a = pair.first_a < first_a ? pair.first_a : first_a;
             first_b = pair.first_b < first_b ? pair.first_b : first_b;
         }
-        for (std::size_t k = 0; k < n; ++k)
-            end = of_four[k] ? list<4>(hits[k], first[k], end) : list<8>(hits[k], first[k], end);
+        for (; doubtful != 0; doubtful &= doubtful - 1) {
+            const int n = __builtin_ctz(doubtful);
+            const FamilyPair pair = tests.families_of(pairs[begin + static_cast<std::size_t>(n)]);
+            hits[n] = of_four[n] ? settled<4>(block, tests, pair, hits[n])
+                                 : settled<8>(block, tests, pair, hits[n]);
+        }
+        for (std::size_t n = 0; n < i - begin; ++n)
+            end = of_four[n] ? list<4>(hits[n], first[n], end) : list<8>(hits[n], first[n], end);
     }
     return {i, static_cast<std::size_t>(end - out), test_count, first_a, first_b};
 }
@@ -295,7 +287,9 @@ std::size_t test_families(const FamilyTests<Dim>& tests, const FamilyPair& pair,
             part.first_b += k;
             part.count_a = 1;
             part.count_b = pair.count_b - k < small_family ? pair.count_b - k : small_family;
-            end = list<8>(hits_of<8>(block, tests, part), {part.first_a, part.first_b}, end);
+            const Hits met = block.template test<8>(part);
+            end = list<8>(met.doubtful ? settled<8>(block, tests, part, met.maybe) : met.maybe,
+                          {part.first_a, part.first_b}, end);
         }
     return static_cast<std::size_t>(end - out);
 }

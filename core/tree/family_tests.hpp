@@ -108,6 +108,15 @@ struct Hits {
     bool doubtful;        ///< whether rounding might decide one
 };
 
+/// The bits of families of that many nodes.
+template <int width>
+[[nodiscard]] LOD_INLINE std::uint64_t all_of(const FamilyPair& pair) {
+    constexpr std::uint64_t every = ~std::uint64_t{0};
+    constexpr std::uint64_t one_a_row = width == 8 ? every / 0xff : every / 0xf;
+    return (one_a_row * ((std::uint64_t{1} << pair.count_b) - 1)) &
+           (every >> (64 - width * pair.count_a));
+}
+
 /// What the tests of some node pairs' families came to.
 struct FamiliesTested {
     std::size_t node_pairs = 0;  ///< whose families were tested

@@ -34,7 +34,7 @@ class PortableBlock {
         Integers sure[2] = {};
         test_all<width>(pair, maybe, sure);
         const Integers doubtful = (maybe[0] ^ sure[0]) | (maybe[1] ^ sure[1]);
-        return {gathered<width>(maybe),
+        return {gathered<width>(maybe) & all_of<width>(pair),
                 ((doubtful[0] | doubtful[1]) | (doubtful[2] | doubtful[3])) != 0};
     }
 
