@@ -1,7 +1,7 @@
 // Real meshes: what becomes of mesh files, how well sphere trees fit solids, and what a query costs
 // at each level beside an exact one.
 //
-// bench_meshes [files|trees|queries]...    all three where none is named
+// bench_meshes [files|trees|queries|queries:4]...    the first three where none is named
 #include "bench/meshes.hpp"
 
 #include <sys/resource.h>
@@ -137,7 +137,9 @@ int main(int count, char** words) {
             }
         if (asked("files")) read_all(test_models);
         if (asked("trees")) grow_all();
-        if (asked("queries")) bench::query_pairs(model("bunny.obj"), 1000);
+        for (const auto& [word, depth] : {std::pair{"queries", 3}, std::pair{"queries:4", 4}})
+            if (named.empty() ? depth == 3 : asked(word))
+                bench::query_pairs(model("bunny.obj"), 1000, depth);
         return 0;
     } catch (const lod::Error& error) {
         std::fprintf(stderr, "bench_meshes: %s\n", error.what());

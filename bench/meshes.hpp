@@ -6,7 +6,7 @@ namespace bench {
 
 /// Prints what a query of two posed bodies of the same solid costs at each level of its sphere
 /// tree, against FCL's exact query of the meshes in the same run, with the geometric error beside
-/// it.
-void query_pairs(const lod3d::Solid& solid, int pairs);
+/// it. `depth` of that tree.
+void query_pairs(const lod3d::Solid& solid, int pairs, int depth);
 
 }  // namespace bench

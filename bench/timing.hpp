@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <functional>
 #include <vector>
 
 namespace bench {
@@ -38,6 +39,17 @@ std::vector<double> medians(int repeats, Works&&... works) {
         std::size_t which = 0;
         (times[which++].push_back(seconds(works)), ...);
     }
+    std::vector<double> result;
+    for (auto& series : times) result.push_back(median(std::move(series)));
+    return result;
+}
+
+/// The same for as many as there are.
+inline std::vector<double> medians_of(int repeats,
+                                      const std::vector<std::function<void()>>& works) {
+    std::vector<std::vector<double>> times(works.size());
+    for (int repeat = 0; repeat < repeats; ++repeat)
+        for (std::size_t i = 0; i < works.size(); ++i) times[i].push_back(seconds(works[i]));
     std::vector<double> result;
     for (auto& series : times) result.push_back(median(std::move(series)));
     return result;

@@ -28,7 +28,7 @@ void FrontList::replace(ListedFront& front, std::size_t begin) {
 namespace {
 
 /// Between two questions to the budget at most so many tests are done.
-constexpr std::int32_t most_between_questions = 64;
+constexpr std::int32_t most_between_questions = 256;
 /// Where there is no question, so many tests of one pair of families; each may need room in a list.
 constexpr std::int32_t most_at_once = 4096;
 
@@ -126,11 +126,9 @@ class Level {
         for (std::size_t i = 0; i < count;) {
             std::size_t some = std::min(count - i, pairs_at_once);
             if (!unlimited) {
-                const detail::FamilyPair next = families_.families_of(pair_of(front, i));
-                some = 1;
-                if (std::max(next.count_a, next.count_b) <= detail::small_family &&
-                    !pay(next.count_a * next.count_b))
-                    return false;
+                const auto [small, wanted] = next_few(list_.pairs_of(front).subspan(i, some));
+                if (small > 0 && !pay(wanted)) return false;
+                some = std::max<std::size_t>(small, 1);
             }
             NodePair* const out =
                 list_.room_for(some * detail::room_of_small + detail::room_beyond);
@@ -143,6 +141,21 @@ class Level {
         }
         if (unlimited) budget_.spend(tests_);
         return true;
+    }
+
+    /// How many of the next pairs have small families and, all together, no more tests than are
+    /// done between two questions; and these tests.
+    std::pair<std::size_t, std::int32_t> next_few(std::span<const NodePair> pairs) const {
+        std::int32_t tests = 0;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            const detail::FamilyPair next = families_.families_of(pairs[i]);
+            const std::int32_t more = next.count_a * next.count_b;
+            if (std::max(next.count_a, next.count_b) > detail::small_family ||
+                tests + more > most_between_questions)
+                return {i, tests};
+            tests += more;
+        }
+        return {pairs.size(), tests};
     }
 
     void note(const detail::FamiliesTested& done) {
@@ -267,12 +280,49 @@ std::vector<Front> traverse_levels(const Body<Dim>& a, const Body<Dim>& b, int d
     return levels;
 }
 
-#define LOD_INSTANTIATE(Dim)                                                             \
-    template void test_roots(const PosedTree<Dim>&, const PosedTree<Dim>&, ListedFront&, \
-                             FrontList&);                                                \
-    template Refinement refine(const PosedTree<Dim>&, const PosedTree<Dim>&, Budget&,    \
-                               ListedFront&, FrontList&);                                \
-    template std::vector<Front> traverse_levels(const Body<Dim>&, const Body<Dim>&, int);
+namespace {
+
+/// Whether any of these pairs leads to one so many levels further down: the first pairs to their
+/// end before the others.
+template <int Dim>
+bool lead_down(Level<Dim>& level, FrontList& list, const Range& pairs, int levels) {
+    if (levels <= 0) return pairs.count > 0;
+    /// A family of one would leave most of what the kernel does at once undone.
+    constexpr std::int32_t together = 4;
+    for (std::int32_t done = 0; done < pairs.count; done += together) {
+        const auto begin = static_cast<std::int32_t>(list.size());
+        ListedFront some;
+        some.pairs = {pairs.first + done, std::min(together, pairs.count - done)};
+        static_cast<void>(level.expand_all(some));
+        const Range found{begin, static_cast<std::int32_t>(list.size()) - begin};
+        if (lead_down(level, list, found, levels - 1)) return true;
+        list.shorten(static_cast<std::size_t>(begin));
+    }
+    return false;
+}
+
+}  // namespace
+
+template <int Dim>
+bool overlap_at(const PosedTree<Dim>& a, const PosedTree<Dim>& b, int level, FrontList& room) {
+    const std::size_t before = room.size();
+    ListedFront front;
+    test_roots(a, b, front, room);
+    Budget budget = Budget::unlimited();
+    Level<Dim> deeper(a, b, budget, room, 0);
+    const int deepest = std::max(a.tree().levels(), b.tree().levels()) - 1;
+    const bool found = lead_down(deeper, room, front.pairs, std::min(level, deepest));
+    room.shorten(before);
+    return found;
+}
+
+#define LOD_INSTANTIATE(Dim)                                                              \
+    template void test_roots(const PosedTree<Dim>&, const PosedTree<Dim>&, ListedFront&,  \
+                             FrontList&);                                                 \
+    template Refinement refine(const PosedTree<Dim>&, const PosedTree<Dim>&, Budget&,     \
+                               ListedFront&, FrontList&);                                 \
+    template std::vector<Front> traverse_levels(const Body<Dim>&, const Body<Dim>&, int); \
+    template bool overlap_at(const PosedTree<Dim>&, const PosedTree<Dim>&, int, FrontList&);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

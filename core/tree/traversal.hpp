@@ -107,6 +107,13 @@ template <int Dim>
 [[nodiscard]] Refinement refine(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budget,
                                 ListedFront& front, FrontList& list);
 
+/// Whether any nodes of two bodies' trees overlap at a level, deeper ones counting as the deepest:
+/// the verdict of refine's front there, `apart` or not, but by the first pair that is found. `room`
+/// is left as it was.
+template <int Dim>
+[[nodiscard]] bool overlap_at(const PosedTree<Dim>& a, const PosedTree<Dim>& b, int level,
+                              FrontList& room);
+
 /// Every level of one body pair, from the roots to the finest (or to `deepest`), for pictures,
 /// lessons and oracles: entry k is the front at level k.
 template <int Dim>

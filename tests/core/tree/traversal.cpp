@@ -258,3 +258,30 @@ TEMPLATE_TEST_CASE_SIG("trees whose radii overflow are not called apart", "[trav
     const auto levels = traverse_levels(with_tree<Dim>(tree), b);
     CHECK(levels.back().verdict == Verdict::true_collision);
 }
+
+TEMPLATE_TEST_CASE_SIG("whether nodes of a level overlap is what the front of that level says",
+                       "[traversal]", ((int Dim), Dim), 2, 3) {
+    Random random(67);
+    FrontList room;
+    int apart = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const Body<Dim> a = random_placed<Dim>(random, 4, trial % 10 == 0 ? 12 : 4, 1.2);
+        Body<Dim> b = random_placed<Dim>(random, 3, 4, 1.2);
+        if (trial % 7 == 0)
+            b.tree =
+                std::make_shared<const SphereTree<Dim>>(half_space<Dim>(random_unit<Dim>(random)));
+        PosedTree<Dim> world_a;
+        PosedTree<Dim> world_b;
+        world_a.pose(a);
+        world_b.pose(b);
+        const std::vector<Front> levels = traverse_levels(a, b);
+        for (int level = 0; level < 7; ++level) {
+            const auto last = std::min(static_cast<std::size_t>(level), levels.size() - 1);
+            CHECK(overlap_at(world_a, world_b, level, room) == !levels[last].pairs.empty());
+            CHECK(room.size() == 0);
+        }
+        apart += levels.back().pairs.empty();
+    }
+    CHECK(apart > 30);
+    CHECK(apart < 270);
+}
