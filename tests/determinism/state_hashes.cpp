@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 
+#include "lodlab/core/tree/family_tests.hpp"
 #include "tests/determinism/report.hpp"
 
 namespace {
@@ -19,6 +20,23 @@ std::map<std::string, std::string> read_hashes(const char* path) {
     for (std::string line; std::getline(file, line);)
         if (line.size() > 18) hashes[line.substr(18)] = line.substr(0, 16);
     return hashes;
+}
+
+/// What other ways of testing nodes, by other instructions of this machine, make of core's bodies:
+/// nothing is added where that is the same.
+void add_other_paths(Report& report) {
+    Report fastest;
+    add_crowds(fastest);
+    for (const lod::detail::TestPath& path : lod::detail::test_paths()) {
+        lod::detail::take_path(path);
+        Report other;
+        add_crowds(other);
+        for (std::size_t i = 0; i < other.lines().size(); ++i)
+            if (other.lines()[i].hash != fastest.lines()[i].hash)
+                report.add(other.lines()[i].name + ", by " + std::string(path.name),
+                           std::stoull(other.lines()[i].hash, nullptr, 16));
+    }
+    lod::detail::take_path(lod::detail::test_paths().front());
 }
 
 int compare(const Report& report, const char* path) {
@@ -62,6 +80,7 @@ int main(int count, char** arguments) {
     add_space_trees(report);
     add_scenes(report);
     add_measurements(report);
+    add_other_paths(report);
     if (count > 1) return compare(report, arguments[1]);
     for (const Report::Line& line : report.lines())
         if (!line.hash.empty()) std::printf("%s  %s\n", line.hash.c_str(), line.name.c_str());
