@@ -1,3 +1,7 @@
+#include <array>
+#include <cstring>
+
+#include "lodlab/core/tree/bit_numbers.hpp"
 #include "lodlab/core/tree/portable_block.hpp"
 
 // This file is compiled once for what the program is compiled for, and, where Highway's headers
@@ -104,7 +108,7 @@ class Block {
             apart |= bits_below_zero(gap.over) << (g * lanes);
             doubtful = hn::Or(doubtful, hn::AndNot(gap.over, gap.over_doubt));
         }
-        return {~apart & all_of<width>(pair), bits_below_zero(doubtful) != 0};
+        return {rows_of<width>(~apart) & all_of(pair), bits_below_zero(doubtful) != 0};
     }
 
     /// Which tests are met whatever rounding did.
@@ -114,7 +118,7 @@ class Block {
         std::uint64_t not_sure = 0;
         for (int g = 0; g < Spread<width>::groups; ++g)
             not_sure |= bits_below_zero(test_group<width>(pair, b, g).over_doubt) << (g * lanes);
-        return ~not_sure;
+        return rows_of<width>(~not_sure);
     }
 
   private:
@@ -158,6 +162,11 @@ class Block {
         return {over, hn::NegMulAdd(doubt_, reach, over)};
     }
 
+    template <int width>
+    LOD_INLINE static std::uint64_t rows_of(std::uint64_t bits) {
+        return width == 8 ? bits : spread_rows(bits & 0xffff);
+    }
+
     LOD_INLINE const Spread<4>& of_width(std::integral_constant<int, 4>) const { return four_; }
     LOD_INLINE const Spread<8>& of_width(std::integral_constant<int, 8>) const { return eight_; }
 
@@ -177,65 +186,104 @@ using Block = PortableBlock<Dim>;
 #endif
 
 /// Settles the hits that rounding might decide.
-template <int width, int Dim>
+template <int Dim>
 std::uint64_t settled(const Block<Dim>& block, const FamilyTests<Dim>& tests,
                       const FamilyPair& pair, std::uint64_t hits) {
-    for (std::uint64_t doubtful = hits & ~block.template surely<width>(pair); doubtful != 0;
-         doubtful &= doubtful - 1) {
+    const bool of_four = pair.count_a <= 4 && pair.count_b <= 4;
+    const std::uint64_t surely =
+        of_four ? block.template surely<4>(pair) : block.template surely<8>(pair);
+    for (std::uint64_t doubtful = hits & ~surely; doubtful != 0; doubtful &= doubtful - 1) {
         const int bit = __builtin_ctzll(doubtful);
-        if (!tests.meet_exactly(pair.first_a + bit / width, pair.first_b + bit % width,
-                                pair.leaf_b))
+        if (!tests.meet_exactly(pair.first_a + bit / 8, pair.first_b + bit % 8, pair.leaf_b))
             hits ^= std::uint64_t{1} << bit;
     }
     return hits;
 }
 
-/// Lists the node pairs of the hits, many at a time whatever their number: no processor can guess
-/// how many there are.
-template <int width>
-LOD_INLINE NodePair* list(std::uint64_t hits, const NodePair& first, NodePair* out) {
-    constexpr int shift = width == 8 ? 3 : 2;
-    NodePair* const end = out + __builtin_popcountll(hits);
 #if LOD_AVX512
-    alignas(64) static constexpr std::uint8_t numbers[64] = {
-        0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
-        22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43,
-        44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63};
-    __m512i bits = _mm512_maskz_compress_epi8(hits, _mm512_load_si512(numbers));
-    const __m512i base = _mm512_set1_epi64(static_cast<std::int64_t>(first.b) << 32 |
-                                           static_cast<std::uint32_t>(first.a));
-    const __m512i column = _mm512_set1_epi64(width - 1);
-    do {
-        const __m512i eight = _mm512_cvtepu8_epi64(_mm512_castsi512_si128(bits));
-        const __m512i of_a = _mm512_srli_epi64(eight, shift);
-        const __m512i of_b = _mm512_slli_epi64(_mm512_and_si512(eight, column), 32);
-        _mm512_storeu_si512(out, _mm512_add_epi32(base, _mm512_or_si512(of_a, of_b)));
-        bits = _mm512_alignr_epi64(bits, bits, 1);
-        out += 8;
-    } while (out < end);
-#else
-    while (hits != 0) {
-        for (int k = 0; k < 4; ++k) {
-            const int bit = __builtin_ctzll(hits | std::uint64_t{1} << 63);
-            out[k] = {first.a + (bit >> shift), first.b + (bit & (width - 1))};
-            hits &= hits - 1;
-        }
-        out += 4;
+
+/// The numbers of a family's hits, eight by eight: `parts` names them all, 8 n + k for the eight of
+/// number k of family n.
+LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
+    alignas(64) std::uint8_t numbers[64 * FoundHits::most];
+    std::uint8_t parts[8 * FoundHits::most + 8];
+    NodePair* begin[FoundHits::most];
+    std::size_t part_count = 0;
+    const __m512i all = _mm512_load_si512(all_bit_numbers.data());
+    for (std::size_t n = 0; n < found.count; ++n) {
+        _mm512_store_si512(numbers + 64 * n, _mm512_maskz_compress_epi8(found.hits[n], all));
+        const std::uint64_t named = 0x0706050403020100 + 0x0808080808080808 * n;
+        std::memcpy(parts + part_count, &named, 8);
+        const auto hits = static_cast<std::size_t>(__builtin_popcountll(found.hits[n]));
+        begin[n] = out;
+        part_count += (hits + 7) / 8;
+        out += hits;
     }
-#endif
-    return end;
+    const __m512i column = _mm512_set1_epi64(7);
+    for (std::size_t i = 0; i < part_count; ++i) {
+        const std::size_t part = parts[i];
+        const __m512i eight = _mm512_cvtepu8_epi64(
+            _mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers + 8 * part)));
+        const __m512i of_a = _mm512_srli_epi64(eight, 3);
+        const __m512i of_b = _mm512_slli_epi64(_mm512_and_si512(eight, column), 32);
+        std::int64_t base = 0;
+        std::memcpy(&base, &found.first[part / 8], 8);
+        _mm512_storeu_si512(begin[part / 8] + part % 8 * 8,
+                            _mm512_add_epi32(_mm512_set1_epi64(base), _mm512_or_si512(of_a, of_b)));
+    }
+    return out;
 }
 
-/// All tests come first, then the lists: a branch on an outcome, which no processor can guess,
-/// would throw away the tests begun behind it.
+#elif LOD_AVX2
+
+/// Row by row, those without a hit left out: `rows` names the others, 8 n + a for number a of A's
+/// in family n.
+LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
+    std::uint8_t rows[8 * FoundHits::most + 8];
+    std::size_t row_count = 0;
+    for (std::size_t n = 0; n < found.count; ++n) {
+        const __m128i empty = _mm_cmpeq_epi8(
+            _mm_cvtsi64_si128(static_cast<std::int64_t>(found.hits[n])), _mm_setzero_si128());
+        const auto filled = static_cast<std::size_t>(~_mm_movemask_epi8(empty) & 0xff);
+        const std::uint64_t named = bit_numbers[filled] + 0x0808080808080808 * n;
+        std::memcpy(rows + row_count, &named, 8);
+        row_count += static_cast<std::size_t>(__builtin_popcountll(filled));
+    }
+    const auto* const bytes = reinterpret_cast<const std::uint8_t*>(found.hits);
+    for (std::size_t i = 0; i < row_count; ++i) {
+        const std::size_t row = rows[i];
+        const auto* const columns = reinterpret_cast<const char*>(&bit_numbers[bytes[row]]);
+        std::int64_t base = 0;
+        std::memcpy(&base, &found.first[row / 8], 8);
+        const __m256i of_row = _mm256_set1_epi64x(base + static_cast<std::int64_t>(row % 8));
+        for (int half = 0; half < 2; ++half) {
+            std::int32_t four = 0;
+            std::memcpy(&four, columns + 4 * half, 4);
+            const __m256i of_b =
+                _mm256_slli_epi64(_mm256_cvtepu8_epi64(_mm_cvtsi32_si128(four)), 32);
+            _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + 4 * half),
+                                _mm256_add_epi32(of_row, of_b));
+        }
+        out += __builtin_popcountll(bytes[row]);
+    }
+    return out;
+}
+
+#else
+
+LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
+    return list_portably(found, out);
+}
+
+#endif
+
+/// All tests come first, then the lists: a branch on an outcome would throw away the tests begun
+/// behind it.
 template <int Dim>
 FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, std::size_t count,
                           NodePair* out) {
-    constexpr std::size_t at_a_time = 32;
     const Block<Dim> block(tests);
-    std::uint64_t hits[at_a_time];
-    NodePair first[at_a_time];
-    bool of_four[at_a_time];
+    FoundHits found;
     std::uint64_t test_count = 0;
     std::int32_t first_a = FamiliesTested().first_a;
     std::int32_t first_b = first_a;
@@ -244,31 +292,30 @@ FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, 
     for (bool small = true; small && i < count;) {
         const std::size_t begin = i;
         std::uint32_t doubtful = 0;
-        for (std::size_t n = 0; n < at_a_time && i < count; ++n, ++i) {
+        for (std::size_t n = 0; n < FoundHits::most && i < count; ++n, ++i) {
             const FamilyPair pair = tests.families_of(pairs[i]);
             small = pair.count_a <= small_family && pair.count_b <= small_family;
             if (!small) break;
-            of_four[n] = pair.count_a <= 4 && pair.count_b <= 4;
             Hits met{1, false};
-            if (!of_four[n])
+            if (pair.count_a > 4 || pair.count_b > 4)
                 met = block.template test<8>(pair);
             else if (pair.count_a > 0)
                 met = block.template test<4>(pair);
-            hits[n] = met.maybe;
+            found.hits[n] = met.maybe;
+            found.first[n] = {pair.first_a, pair.first_b};
             doubtful |= static_cast<std::uint32_t>(met.doubtful) << n;
-            first[n] = {pair.first_a, pair.first_b};
             test_count += static_cast<std::uint32_t>(pair.count_a * pair.count_b);
             first_a = pair.first_a < first_a ? pair.first_a : first_a;
             first_b = pair.first_b < first_b ? pair.first_b : first_b;
         }
         for (; doubtful != 0; doubtful &= doubtful - 1) {
             const int n = __builtin_ctz(doubtful);
-            const FamilyPair pair = tests.families_of(pairs[begin + static_cast<std::size_t>(n)]);
-            hits[n] = of_four[n] ? settled<4>(block, tests, pair, hits[n])
-                                 : settled<8>(block, tests, pair, hits[n]);
+            found.hits[n] =
+                settled(block, tests, tests.families_of(pairs[begin + static_cast<std::size_t>(n)]),
+                        found.hits[n]);
         }
-        for (std::size_t n = 0; n < i - begin; ++n)
-            end = of_four[n] ? list<4>(hits[n], first[n], end) : list<8>(hits[n], first[n], end);
+        found.count = i - begin;
+        end = list_hits(found, end);
     }
     return {i, static_cast<std::size_t>(end - out), test_count, first_a, first_b};
 }
@@ -277,6 +324,8 @@ FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, 
 template <int Dim>
 std::size_t test_families(const FamilyTests<Dim>& tests, const FamilyPair& pair, NodePair* out) {
     const Block<Dim> block(tests);
+    FoundHits found;
+    found.count = 1;
     NodePair* end = out;
     for (std::int32_t i = 0; i < pair.count_a; ++i)
         for (std::int32_t k = 0; k < pair.count_b; k += small_family) {
@@ -288,8 +337,9 @@ std::size_t test_families(const FamilyTests<Dim>& tests, const FamilyPair& pair,
             part.count_a = 1;
             part.count_b = pair.count_b - k < small_family ? pair.count_b - k : small_family;
             const Hits met = block.template test<8>(part);
-            end = list<8>(met.doubtful ? settled<8>(block, tests, part, met.maybe) : met.maybe,
-                          {part.first_a, part.first_b}, end);
+            found.hits[0] = met.doubtful ? settled(block, tests, part, met.maybe) : met.maybe;
+            found.first[0] = {part.first_a, part.first_b};
+            end = list_hits(found, end);
         }
     return static_cast<std::size_t>(end - out);
 }

@@ -104,18 +104,31 @@ constexpr std::size_t room_beyond = 16;
 
 /// The outcomes of all tests of two small families.
 struct Hits {
-    std::uint64_t maybe;  ///< bit a x width + b for number a of A's and b of B's
+    std::uint64_t maybe;  ///< bit 8 a + b for number a of A's and b of B's
     bool doubtful;        ///< whether rounding might decide one
 };
 
 /// The bits of families of that many nodes.
-template <int width>
 [[nodiscard]] LOD_INLINE std::uint64_t all_of(const FamilyPair& pair) {
     constexpr std::uint64_t every = ~std::uint64_t{0};
-    constexpr std::uint64_t one_a_row = width == 8 ? every / 0xff : every / 0xf;
+    constexpr std::uint64_t one_a_row = every / 0xff;
     return (one_a_row * ((std::uint64_t{1} << pair.count_b) - 1)) &
-           (every >> (64 - width * pair.count_a));
+           (every >> (64 - 8 * pair.count_a));
 }
+/// Four rows of four bits, as four of eight.
+[[nodiscard]] LOD_INLINE std::uint64_t spread_rows(std::uint64_t bits) {
+    bits = (bits | bits << 8) & 0x00ff00ff;
+    return (bits | bits << 4) & 0x0f0f0f0f;
+}
+
+/// The hits of some families, from which the node pairs are listed. How many one has no processor
+/// can guess, so no branch should depend on it.
+struct FoundHits {
+    static constexpr std::size_t most = 32;  ///< families
+    std::uint64_t hits[most];
+    NodePair first[most];  ///< of each family
+    std::size_t count;
+};
 
 /// What the tests of some node pairs' families came to.
 struct FamiliesTested {

@@ -34,7 +34,7 @@ class PortableBlock {
         Integers sure[2] = {};
         test_all<width>(pair, maybe, sure);
         const Integers doubtful = (maybe[0] ^ sure[0]) | (maybe[1] ^ sure[1]);
-        return {gathered<width>(maybe) & all_of<width>(pair),
+        return {gathered<width>(maybe) & all_of(pair),
                 ((doubtful[0] | doubtful[1]) | (doubtful[2] | doubtful[3])) != 0};
     }
 
@@ -97,14 +97,25 @@ class PortableBlock {
         for (int b = 0; b < width; ++b)
             columns |= static_cast<std::uint64_t>(static_cast<std::uint32_t>(bits[b / 4][b % 4]))
                        << (8 * b);
-        const std::uint64_t rows = transposed(columns);
-        if constexpr (width == 8)
-            return rows;
-        else
-            return (rows & 0xf) | (rows >> 4 & 0xf0) | (rows >> 8 & 0xf00) | (rows >> 12 & 0xf000);
+        return transposed(columns);
     }
 
     const FamilyTests<Dim>& tests_;
 };
+
+/// Lists the node pairs, four at a time.
+inline NodePair* list_portably(const FoundHits& found, NodePair* out) {
+    for (std::size_t n = 0; n < found.count; ++n) {
+        NodePair* const end = out + __builtin_popcountll(found.hits[n]);
+        for (std::uint64_t left = found.hits[n]; left != 0; out += 4)
+            for (int k = 0; k < 4; ++k) {
+                const int bit = __builtin_ctzll(left | std::uint64_t{1} << 63);
+                out[k] = {found.first[n].a + bit / 8, found.first[n].b + bit % 8};
+                left &= left - 1;
+            }
+        out = end;
+    }
+    return out;
+}
 
 }  // namespace lod::detail
