@@ -186,8 +186,8 @@ using Approach = measure::Approach<2>;
 double error_of(const Engine& engine, const Approach& approach) {
     const std::vector<lod::Body<2>> start{approach.a, approach.b};
     const bench::PiecedShape* const kinds[] = {
-        &shapes()[static_cast<std::size_t>(approach.kind_a)],
-        &shapes()[static_cast<std::size_t>(approach.kind_b)]};
+        &shapes()[static_cast<std::size_t>(approach.shape_a)],
+        &shapes()[static_cast<std::size_t>(approach.shape_b)]};
     const std::unique_ptr<bench::Peer> world = engine.make(start, kinds);
     std::vector<lod::Body<2>> now = start;
     // To the end of the first frame in which something pushes.
@@ -209,19 +209,19 @@ double error_of(const Engine& engine, const Approach& approach) {
 
 /// Impacts of the bodies that crowds are made of, at their speeds.
 std::vector<Approach> approaches(int impacts) {
-    std::vector<measure::Kind<2>> kinds;
+    std::vector<measure::MeasuredShape<2>> measured;
     scenes::TreeChoice tree;
     tree.branching = 4;
     tree.depth = 4;
     for (const bench::PiecedShape& made : shapes())
-        kinds.push_back(measure::make_kind<2>(made.shape.name, made.shape, tree, {}));
+        measured.push_back(measure::measured_shape<2>(made.shape.name, made.shape, tree, {}));
     measure::EnsembleSettings settings;
     settings.speed = 4;
     settings.spin = 4;
     std::vector<Approach> all;
     for (int i = 0; i < impacts; ++i)
-        all.push_back(
-            measure::draw_approach<2>(kinds, settings, static_cast<std::uint64_t>(i), time_step));
+        all.push_back(measure::draw_approach<2>(measured, settings, static_cast<std::uint64_t>(i),
+                                                time_step));
     return all;
 }
 

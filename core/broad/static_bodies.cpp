@@ -65,11 +65,7 @@ void StaticBodies<Dim>::add(std::int32_t body, std::span<const Body<Dim>> bodies
     const int level = coarse_level(tree, much_larger * largest_, most_nodes);
     const std::int32_t begin = tree.level_begin[at(level)];
     for (std::int32_t node = 0; node < tree.level_begin[at(level + 1)]; ++node) {
-        const bool is_leaf = tree.is_leaf(node);
-        if (node < begin && !is_leaf) {
-            posed_.carry_children(node);
-            continue;
-        }
+        if (node < begin && !tree.is_leaf(node)) continue;
         const Box<Dim> box = box_of(posed_, node);
         if (!is_somewhere(box)) continue;
         node_boxes_.push_back(box);

@@ -25,10 +25,7 @@ bool reaches_a_leaf(const Body<Dim>& mover, const Body<Dim>& wall) {
     PosedTree<Dim> posed;
     posed.pose(wall);
     for (int node = 0; node < wall.tree->size(); ++node) {
-        if (!wall.tree->is_leaf(node)) {
-            posed.carry_children(node);
-            continue;
-        }
+        if (!wall.tree->is_leaf(node)) continue;
         const Sphere<Dim> leaf = posed.sphere(node);
         const Vector<Dim> root =
             mover.position + Space<Dim>::rotation(mover.orientation) * mover.tree->sphere(0).centre;
