@@ -55,6 +55,7 @@ class BallVisitor final : public PartVisitor<Dim> {
         if (pair.distance > 0 && skips(pair.a, pair.b, pair.direction[0], pair.distance)) return;
         visitor_.visit(pair);
     }
+    bool is_done() const override { return visitor_.is_done(); }
 
   private:
     PartVisitor<Dim>& visitor_;

@@ -17,6 +17,7 @@ class NearestPair final : public PartVisitor<Dim> {
         if (pair.distance < best.distance)
             best = {pair.nearest.on_a, pair.nearest.on_b, pair.distance};
     }
+    bool is_done() const override { return best.distance <= 0; }
 
     Separation<Dim> best{{}, {}, std::numeric_limits<double>::infinity()};
 };

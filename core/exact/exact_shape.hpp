@@ -101,6 +101,8 @@ class PartVisitor {
                                      const Vector<Dim>& direction, double gap) const = 0;
     /// Called for every pair of parts that is not skipped.
     virtual void visit(const PartPair<Dim>& pair) = 0;
+    /// Whether no other pair can matter: the walk may end.
+    [[nodiscard]] virtual bool is_done() const { return false; }
 
     double feet_within = -1;  ///< how far apart feet are listed [m]; below 0: none are
 };

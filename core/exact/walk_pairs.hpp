@@ -35,7 +35,7 @@ class PairWalk {
     void run(PartVisitor<Dim>& visitor) {
         // A walk holds at most one pair a level of either tree.
         std::vector<Pair> waiting{pair_of(0, 0)};
-        while (!waiting.empty()) {
+        while (!waiting.empty() && !visitor.is_done()) {
             const Pair at = waiting.back();
             waiting.pop_back();
             if (skipped(at, visitor)) continue;
