@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -162,4 +163,32 @@ TEMPLATE_TEST_CASE_SIG("a single frame warms up for its like", "[allocation]", (
     allocations_of(bodies, start, {}, storage, 1);
     for (int repeat = 0; repeat < 5; ++repeat)
         CHECK(allocations_of(bodies, start, {}, storage, 1) == 0);
+}
+
+TEMPLATE_TEST_CASE_SIG("finding pairs anew allocates nothing, even where a wall has moved",
+                       "[allocation]", ((int Dim), Dim), 2, 3) {
+    Random random(93);
+    std::vector<Body<Dim>> bodies;
+    for (int i = 0; i < 400; ++i) {
+        bodies.push_back(disc<Dim>(1, std::pow(10, random.in(-2, 0)), {0, 0}));
+        bodies.back().position = random_vector<Dim>(random, 10);
+        if (i % 8 == 0) make_static(bodies.back());
+    }
+    bodies[0].tree = random_tree<Dim>(random, 5, 4, 10);  // a wall
+    bodies[8].tree =
+        std::make_shared<SphereTree<Dim>>(half_space<Dim>(Vector<Dim>(Vector<Dim>::Unit(1))));
+    std::vector<PosedTree<Dim>> world_S(bodies.size());
+    BroadPhase<Dim> broad_phase;
+    std::vector<CandidatePair> pairs;
+    const auto allocations_of_a_search = [&] {
+        for (std::size_t i = 0; i < bodies.size(); ++i) world_S[i].pose(bodies[i]);
+        const std::size_t before = allocations;
+        broad_phase.find(bodies, world_S, pairs);
+        return allocations - before;
+    };
+    CHECK(allocations_of_a_search() > 0);
+    CHECK(pairs.size() > 100);
+    CHECK(allocations_of_a_search() == 0);
+    bodies[0].position[0] += 1e-9;
+    CHECK(allocations_of_a_search() == 0);
 }
