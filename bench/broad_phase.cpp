@@ -1,4 +1,5 @@
-// What it takes to find the pairs of bodies that are near, in crowds of every kind.
+// What it takes to find the pairs of bodies that are near, in crowds of every kind, and to sweep
+// bodies that are fast.
 // Usage: bench_broad_phase [MOST_BODIES]
 
 #include <algorithm>
@@ -142,6 +143,21 @@ void measure(const char* name, std::vector<lod::Body<Dim>> bodies, int frames_be
         1e9 * bench::median(taken) / count, static_cast<double>(broad_phase.steps()) / count);
 }
 
+/// One sweep of balls of which most are fast.
+template <int Dim>
+void measure_sweep(int count) {
+    std::vector<lod::Body<Dim>> bodies = in_a_box<Dim>(count, 1.9);
+    for (lod::Body<Dim>& body : bodies) body.velocity *= 20;
+    lod::Sweeper<Dim> sweeper;
+    std::vector<lod::SweptImpact<Dim>> found;
+    const double taken =
+        bench::seconds([&] { sweeper.advance(bodies, time_step, {.on = true}, {}, found); });
+    const auto each = static_cast<double>(bodies.size() + found.size());
+    std::printf("%-22s %d axes %7zu bodies %8zu impacts %7.3f ms %7.1f ns and %.1f steps each\n",
+                "a sweep of fast balls", Dim, bodies.size(), found.size(), 1e3 * taken,
+                1e9 * taken / each, static_cast<double>(sweeper.steps()) / each);
+}
+
 template <int Dim>
 void measure_odd(int count) {
     const double room = 0.65 * std::pow(count, 1.0 / Dim);
@@ -188,10 +204,12 @@ int main(int argc, char** argv) {
         measure<2>("sparse", in_a_box<2>(count, 1.9), 60, true);
         measure<2>("implode", imploding<2>(count), count < 5000 ? 300 : 500, true);
         measure_odd<2>(count);
+        measure_sweep<2>(count);
     }
     for (const int count : {1000, 8000, 64000}) {
         if (count > most) continue;
         measure<3>("cube", in_a_box<3>(count, 1.3), 30, true);
         measure_odd<3>(count);
+        measure_sweep<3>(count);
     }
 }
