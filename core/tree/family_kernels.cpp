@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstring>
 
@@ -88,7 +89,8 @@ struct Spread {
 template <int Dim>
 class Block {
   public:
-    LOD_INLINE explicit Block(const FamilyTests<Dim>& tests) {
+    LOD_INLINE explicit Block(const FamilyTests<Dim>& tests)
+        : single_a_(tests.single_a()), single_b_(tests.single_b()) {
         for (int i = 0; i < Dim * Dim; ++i) turn_[i] = hn::Set(tag, tests.turn()[i]);
         for (int i = 0; i < Dim; ++i) shift_[i] = hn::Set(tag, tests.shift()[i]);
         reach_ = hn::Set(tag, tests.reach());
@@ -138,25 +140,27 @@ class Block {
     LOD_INLINE Carried carried(const FamilyPair& pair) const {
         const Spread<width>& spread = of_width(std::integral_constant<int, width>());
         V part[Dim];
-        for (int d = 0; d < Dim; ++d) part[d] = spread.of_b(pair.single_b + d * pair.stride_b);
+        for (int d = 0; d < Dim; ++d)
+            part[d] = spread.of_b(single_b_ + pair.at_b + d * pair.stride_b);
         Carried b;
         for (int d = 0; d < Dim; ++d) {
             b.centre[d] = hn::MulAdd(turn_[d * Dim], part[0], shift_[d]);
             for (int k = 1; k < Dim; ++k)
                 b.centre[d] = hn::MulAdd(turn_[d * Dim + k], part[k], b.centre[d]);
         }
-        b.radius = hn::Add(spread.of_b(pair.single_b + Dim * pair.stride_b), reach_);
+        b.radius = hn::Add(spread.of_b(single_b_ + pair.at_b + Dim * pair.stride_b), reach_);
         return b;
     }
 
     template <int width>
     LOD_INLINE Gap test_group(const FamilyPair& pair, const Carried& b, int group) const {
         const Spread<width>& spread = of_width(std::integral_constant<int, width>());
-        const V reach = hn::Add(spread.of_a(pair.single_a + Dim * pair.stride_a, group), b.radius);
+        const V reach =
+            hn::Add(spread.of_a(single_a_ + pair.at_a + Dim * pair.stride_a, group), b.radius);
         V over = hn::Mul(reach, reach);
         for (int d = 0; d < Dim; ++d) {
             const V between =
-                hn::Sub(spread.of_a(pair.single_a + d * pair.stride_a, group), b.centre[d]);
+                hn::Sub(spread.of_a(single_a_ + pair.at_a + d * pair.stride_a, group), b.centre[d]);
             over = hn::NegMulAdd(between, between, over);
         }
         return {over, hn::NegMulAdd(doubt_, reach, over)};
@@ -170,6 +174,8 @@ class Block {
     LOD_INLINE const Spread<4>& of_width(std::integral_constant<int, 4>) const { return four_; }
     LOD_INLINE const Spread<8>& of_width(std::integral_constant<int, 8>) const { return eight_; }
 
+    const float* single_a_;
+    const float* single_b_;
     Spread<4> four_;
     Spread<8> eight_;
     V turn_[Dim * Dim];
@@ -285,8 +291,8 @@ FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, 
     const Block<Dim> block(tests);
     FoundHits found;
     std::uint64_t test_count = 0;
-    std::int32_t first_a = FamiliesTested().first_a;
-    std::int32_t first_b = first_a;
+    std::int32_t eldest_a = FamilyPair::none;
+    std::int32_t eldest_b = FamilyPair::none;
     NodePair* end = out;
     std::size_t i = 0;
     for (bool small = true; small && i < count;) {
@@ -305,8 +311,8 @@ FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, 
             found.first[n] = {pair.first_a, pair.first_b};
             doubtful |= static_cast<std::uint32_t>(met.doubtful) << n;
             test_count += static_cast<std::uint32_t>(pair.count_a * pair.count_b);
-            first_a = pair.first_a < first_a ? pair.first_a : first_a;
-            first_b = pair.first_b < first_b ? pair.first_b : first_b;
+            eldest_a = std::min(eldest_a, pair.eldest_a());
+            eldest_b = std::min(eldest_b, pair.eldest_b());
         }
         for (; doubtful != 0; doubtful &= doubtful - 1) {
             const int n = __builtin_ctz(doubtful);
@@ -317,7 +323,7 @@ FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, 
         found.count = i - begin;
         end = list_hits(found, end);
     }
-    return {i, static_cast<std::size_t>(end - out), test_count, first_a, first_b};
+    return {i, static_cast<std::size_t>(end - out), test_count, eldest_a, eldest_b};
 }
 
 /// One node of A after the other against eight of B, so that the order stays A's.
@@ -330,8 +336,8 @@ std::size_t test_families(const FamilyTests<Dim>& tests, const FamilyPair& pair,
     for (std::int32_t i = 0; i < pair.count_a; ++i)
         for (std::int32_t k = 0; k < pair.count_b; k += small_family) {
             FamilyPair part = pair;
-            part.single_a += i;
-            part.single_b += k;
+            part.at_a += i;
+            part.at_b += k;
             part.first_a += i;
             part.first_b += k;
             part.count_a = 1;

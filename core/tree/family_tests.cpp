@@ -57,33 +57,39 @@ bool FamilyTests<Dim>::meet_exactly(std::int32_t a, std::int32_t b, bool leaf_b)
 template <int Dim>
 FamilyPair FamilyTests<Dim>::with_leaf(const NodePair& nodes) const {
     struct Family {
-        const float* single;
+        std::ptrdiff_t at;
         std::int32_t first;
         std::int32_t count;
         std::int32_t stride;
     };
-    const auto single = [](const SphereTree<Dim>& tree, std::int32_t first) {
-        return tree.single.data() + static_cast<std::ptrdiff_t>(first) * (Dim + 1);
-    };
-    const auto family = [&](const SphereTree<Dim>& tree, std::int32_t node) -> Family {
+    const auto family = [](const SphereTree<Dim>& tree, std::int32_t node) -> Family {
         const auto n = static_cast<std::size_t>(node);
         const std::int32_t count = tree.child_count[n];
         if (count > 0) {
             const std::int32_t first = tree.first_child[n];
-            return {single(tree, first), first, count, count};
+            return {std::ptrdiff_t{first} * (Dim + 1), first, count, count};
         }
         const std::int32_t parent = tree.parent[n];
-        if (parent < 0) return {single(tree, 0), 0, 1, 1};
+        if (parent < 0) return {0, 0, 1, 1};
         const std::int32_t eldest = tree.first_child[static_cast<std::size_t>(parent)];
-        return {single(tree, eldest) + (node - eldest), node, 1,
+        return {std::ptrdiff_t{eldest} * (Dim + 1) + (node - eldest), node, 1,
                 tree.child_count[static_cast<std::size_t>(parent)]};
     };
     const Family a = family(a_.tree(), nodes.a);
     const Family b = family(b_.tree(), nodes.b);
-    const bool leaf_b = b_.tree().is_leaf(nodes.b);
-    const bool leaves = leaf_b && a_.tree().is_leaf(nodes.a);
-    return {a.single, b.single, a.first, b.first, leaves ? 0 : a.count, leaves ? 0 : b.count,
-            a.stride, b.stride, leaf_b};
+    FamilyPair pair{};
+    pair.at_a = a.at;
+    pair.at_b = b.at;
+    pair.first_a = a.first;
+    pair.first_b = b.first;
+    pair.stride_a = a.stride;
+    pair.stride_b = b.stride;
+    pair.leaf_a = a_.tree().is_leaf(nodes.a);
+    pair.leaf_b = b_.tree().is_leaf(nodes.b);
+    if (pair.leaf_a && pair.leaf_b) return pair;
+    pair.count_a = a.count;
+    pair.count_b = b.count;
+    return pair;
 }
 
 namespace {
@@ -110,8 +116,8 @@ FamiliesTested pairs_in_double(const FamilyTests<Dim>& tests, const NodePair* pa
         if (std::max(pair.count_a, pair.count_b) > small_family) break;
         done.found += families_in_double(tests, pair, out + done.found);
         done.tests += static_cast<std::uint64_t>(pair.count_a * pair.count_b);
-        done.first_a = std::min(done.first_a, pair.first_a);
-        done.first_b = std::min(done.first_b, pair.first_b);
+        done.eldest_a = std::min(done.eldest_a, pair.eldest_a());
+        done.eldest_b = std::min(done.eldest_b, pair.eldest_b());
     }
     return done;
 }

@@ -15,15 +15,21 @@ namespace lod::detail {
 /// Two families, or a part of each, whose nodes are tested all against all: `count_a` nodes of tree
 /// A from `first_a` on, and as many of B. No nodes at all stand for two leaves that go on untested.
 struct FamilyPair {
-    const float* single_a;  ///< the first node's x (SphereTree::single)
-    const float* single_b;
+    std::ptrdiff_t at_a;  ///< where the first node's x stands in SphereTree::single
+    std::ptrdiff_t at_b;
     std::int32_t first_a;
     std::int32_t first_b;
     std::int32_t count_a;
     std::int32_t count_b;
     std::int32_t stride_a;  ///< numbers from one coordinate to the next, the radius last
     std::int32_t stride_b;
-    bool leaf_b;  ///< B's node is a leaf that meets A's children: its reach is grown, not A's
+    bool leaf_a;  ///< A's node is a leaf, which stands for its children
+    bool leaf_b;  ///< the same of B's
+
+    /// The least node that may have children.
+    [[nodiscard]] LOD_INLINE std::int32_t eldest_a() const { return leaf_a ? none : first_a; }
+    [[nodiscard]] LOD_INLINE std::int32_t eldest_b() const { return leaf_b ? none : first_b; }
+    static constexpr std::int32_t none = (std::numeric_limits<std::int32_t>::max)();
 };
 
 /// Two posed trees, for tests of their nodes in A's frame and in single precision. It decides all
@@ -45,21 +51,26 @@ class FamilyTests {
         if (count_a == 0 || count_b == 0) return with_leaf(nodes);
         const std::int32_t first_a = of_a_.first_child[nodes.a];
         const std::int32_t first_b = of_b_.first_child[nodes.b];
-        return {of_a_.single + static_cast<std::ptrdiff_t>(first_a) * (Dim + 1),
-                of_b_.single + static_cast<std::ptrdiff_t>(first_b) * (Dim + 1),
+        return {static_cast<std::ptrdiff_t>(first_a) * (Dim + 1),
+                static_cast<std::ptrdiff_t>(first_b) * (Dim + 1),
                 first_a,
                 first_b,
                 count_a,
                 count_b,
                 count_a,
                 count_b,
+                false,
                 false};
     }
 
     /// The distance test of two nodes, world frame, in double precision, with the reach grown by
     /// all that rounding may have moved them: what every test means.
+    /// `leaf_b`: of A's children and a leaf of B the leaf's reach is grown, else A's.
     [[nodiscard]] bool meet_exactly(std::int32_t a, std::int32_t b, bool leaf_b) const;
 
+    /// The trees' copies in single precision.
+    [[nodiscard]] const float* single_a() const { return a_.tree().single.data(); }
+    [[nodiscard]] const float* single_b() const { return b_.tree().single.data(); }
     /// B's frame to A's.
     [[nodiscard]] const float* turn() const { return turn_; }  ///< row by row
     [[nodiscard]] const float* shift() const { return shift_; }
@@ -75,12 +86,9 @@ class FamilyTests {
     /// A tree's arrays.
     struct Arrays {
         explicit Arrays(const SphereTree<Dim>& tree)
-            : child_count(tree.child_count.data()),
-              first_child(tree.first_child.data()),
-              single(tree.single.data()) {}
+            : child_count(tree.child_count.data()), first_child(tree.first_child.data()) {}
         const std::int32_t* child_count;
         const std::int32_t* first_child;
-        const float* single;
     };
 
     const PosedTree<Dim>& a_;
@@ -135,8 +143,8 @@ struct FamiliesTested {
     std::size_t node_pairs = 0;  ///< whose families were tested
     std::size_t found = 0;       ///< pairs written
     std::uint64_t tests = 0;
-    std::int32_t first_a = (std::numeric_limits<std::int32_t>::max)();  ///< least node tested
-    std::int32_t first_b = (std::numeric_limits<std::int32_t>::max)();
+    std::int32_t eldest_a = FamilyPair::none;  ///< the least of all
+    std::int32_t eldest_b = FamilyPair::none;
 };
 
 /// One way of computing the tests, by the instructions that it takes. All write pairs of nodes that

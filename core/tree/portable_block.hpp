@@ -24,7 +24,8 @@ inline std::uint64_t transposed(std::uint64_t x) {
 template <int Dim>
 class PortableBlock {
   public:
-    LOD_INLINE explicit PortableBlock(const FamilyTests<Dim>& tests) : tests_(tests) {}
+    LOD_INLINE explicit PortableBlock(const FamilyTests<Dim>& tests)
+        : tests_(tests), single_a_(tests.single_a()), single_b_(tests.single_b()) {}
 
     /// Which tests may be met, and whether rounding might decide one of them (or of what lies
     /// behind the families). Each lane gathers the bits of all tests of one of B's nodes.
@@ -60,10 +61,11 @@ class PortableBlock {
         for (std::int32_t i = 0; i < pair.count_a; ++i) {
             const std::int32_t bit = 1 << i;
             for (int half = 0; half < width / 4; ++half) {
-                const Four reach = radius[half] + pair.single_a[Dim * pair.stride_a + i];
+                const Four reach = radius[half] + single_a_[pair.at_a + Dim * pair.stride_a + i];
                 Four over = reach * reach;
                 for (int d = 0; d < Dim; ++d) {
-                    const Four between = centre[d][half] - pair.single_a[d * pair.stride_a + i];
+                    const Four between =
+                        centre[d][half] - single_a_[pair.at_a + d * pair.stride_a + i];
                     over -= between * between;
                 }
                 maybe[half] |= (over >= 0.0f) & bit;
@@ -76,7 +78,7 @@ class PortableBlock {
     template <int width>
     LOD_INLINE void carry(const FamilyPair& pair, Four (&centre)[Dim][2], Four (&radius)[2]) const {
         for (int half = 0; half < width / 4; ++half) {
-            const float* const from = pair.single_b + 4 * half;
+            const float* const from = single_b_ + pair.at_b + 4 * half;
             const auto four = [&](int d) {
                 const float* const at = from + d * pair.stride_b;
                 return Four{at[0], at[1], at[2], at[3]};
@@ -101,6 +103,8 @@ class PortableBlock {
     }
 
     const FamilyTests<Dim>& tests_;
+    const float* single_a_;
+    const float* single_b_;
 };
 
 /// Lists the node pairs, four at a time.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "lodlab/core/tree/family_tests.hpp"
 
@@ -68,7 +67,7 @@ class Level {
     /// Whether all that was tested were leaves, for only leaves come after the last node with
     /// children, the parent of the last node.
     [[nodiscard]] bool only_leaves() const {
-        return first_a_ > a_.tree().parent.back() && first_b_ > b_.tree().parent.back();
+        return eldest_a_ > a_.tree().parent.back() && eldest_b_ > b_.tree().parent.back();
     }
     /// Where in the list it begins.
     [[nodiscard]] std::size_t begin() const { return begin_; }
@@ -106,8 +105,8 @@ class Level {
             const std::int32_t count = many.tree().child_count[static_cast<std::size_t>(parent)];
             const std::int32_t first = many.tree().first_child[static_cast<std::size_t>(parent)];
             if (!pay(count)) return false;
-            std::int32_t& first_tested = a_.is_half_space() ? first_b_ : first_a_;
-            first_tested = std::min(first_tested, count == 0 ? parent : first);
+            std::int32_t& eldest = a_.is_half_space() ? eldest_b_ : eldest_a_;
+            if (count > 0) eldest = std::min(eldest, first);
             NodePair* out = list_.room_for(static_cast<std::size_t>(count) + 1);
             std::size_t n = 0;
             if (count == 0) out[n++] = pair;
@@ -160,8 +159,8 @@ class Level {
 
     void note(const detail::FamiliesTested& done) {
         list_.take(done.found);
-        first_a_ = std::min(first_a_, done.first_a);
-        first_b_ = std::min(first_b_, done.first_b);
+        eldest_a_ = std::min(eldest_a_, done.eldest_a);
+        eldest_b_ = std::min(eldest_b_, done.eldest_b);
     }
 
     /// Families that are not small, part by part, in the order of their node pairs. Returns false
@@ -174,8 +173,8 @@ class Level {
         for (std::int32_t i = 0; i < pair.count_a; i += rows)
             for (std::int32_t k = 0; k < pair.count_b; k += most) {
                 detail::FamilyPair part = pair;
-                part.single_a += i;
-                part.single_b += k;
+                part.at_a += i;
+                part.at_b += k;
                 part.first_a += i;
                 part.first_b += k;
                 part.count_a = std::min(rows, pair.count_a - i);
@@ -187,7 +186,8 @@ class Level {
                     return false;
                 NodePair* const out =
                     list_.room_for(static_cast<std::size_t>(wanted) + detail::room_beyond);
-                note({1, kernel_.of_families(families_, part, out), 0, part.first_a, part.first_b});
+                note({1, kernel_.of_families(families_, part, out), 0, part.eldest_a(),
+                      part.eldest_b()});
             }
         return true;
     }
@@ -205,8 +205,9 @@ class Level {
     const Families families_{a_, b_};
     const detail::FamilyKernel<Dim>& kernel_ =
         families_.serves() ? detail::test_path().kernel<Dim>() : detail::double_kernel<Dim>();
-    std::int32_t first_a_ = (std::numeric_limits<std::int32_t>::max)();  ///< least node tested
-    std::int32_t first_b_ = first_a_;
+    std::int32_t eldest_a_ =
+        detail::FamilyPair::none;  ///< least node tested that may have children
+    std::int32_t eldest_b_ = detail::FamilyPair::none;
 };
 
 template <int Dim>
