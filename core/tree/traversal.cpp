@@ -27,7 +27,7 @@ void FrontList::replace(ListedFront& front, std::size_t begin) {
 namespace {
 
 /// Between two questions to the budget at most so many tests are done.
-constexpr std::int32_t most_between_questions = 256;
+constexpr std::int32_t most_between_questions = 512;
 /// Where there is no question, so many tests of one pair of families; each may need room in a list.
 constexpr std::int32_t most_at_once = 4096;
 
