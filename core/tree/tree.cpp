@@ -94,6 +94,56 @@ std::vector<float> single_of(const SphereTree<Dim>& tree) {
     return single;
 }
 
+/// Unit vectors to the sides, edges and corners of a cube.
+template <int Dim>
+std::vector<Vector<Dim>> cube_directions() {
+    std::vector<Vector<Dim>> directions;
+    int all = 1;
+    for (int axis = 0; axis < Dim; ++axis) all *= 3;
+    for (int code = 0; code < all; ++code) {
+        Vector<Dim> towards;
+        int rest = code;
+        for (int axis = 0; axis < Dim; ++axis, rest /= 3) towards[axis] = rest % 3 - 1;
+        if (!towards.isZero(0)) directions.push_back(towards.normalized());
+    }
+    return directions;
+}
+
+/// How far the node's ball stands out of its children, in some directions.
+template <int Dim>
+double excess_over_children(const SphereTree<Dim>& tree, int node,
+                            std::span<const Vector<Dim>> directions) {
+    const Sphere<Dim> ball = tree.sphere(node);
+    const std::int32_t first = tree.first_child[SphereTree<Dim>::index(node)];
+    const std::int32_t count = tree.child_count[SphereTree<Dim>::index(node)];
+    double most = 0;
+    for (const Vector<Dim>& direction : directions) {
+        const Vector<Dim> point = ball.centre + ball.radius * direction;
+        double least = 2 * ball.radius;
+        for (std::int32_t child = first; child < first + count; ++child) {
+            const Sphere<Dim> part = tree.sphere(child);
+            least = std::min(least, (point - part.centre).norm() - part.radius);
+        }
+        most = std::max(most, least);
+    }
+    return most;
+}
+
+template <int Dim>
+std::vector<double> level_errors(const SphereTree<Dim>& tree) {
+    const std::vector<Vector<Dim>> directions = cube_directions<Dim>();
+    std::vector<double> errors(SphereTree<Dim>::index(tree.levels()), 0.0);
+    for (int level = tree.levels() - 2; level >= 0; --level) {
+        double worst = 0;
+        const auto end = tree.level_begin[SphereTree<Dim>::index(level + 1)];
+        for (int node = tree.level_begin[SphereTree<Dim>::index(level)]; node < end; ++node)
+            if (!tree.is_leaf(node))
+                worst = std::max(worst, excess_over_children<Dim>(tree, node, directions));
+        errors[SphereTree<Dim>::index(level)] = worst + errors[SphereTree<Dim>::index(level + 1)];
+    }
+    return errors;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -119,6 +169,7 @@ SphereTree<Dim> lay_out(std::span<const TreeNode<Dim>> nodes) {
         next_child += count;
     }
     tree.single = single_of(tree);
+    tree.level_error = level_errors(tree);
     return tree;
 }
 

@@ -40,6 +40,10 @@ struct SphereTree {
     /// radius of the root, then of each family in turn all x, all y, (all z), all radii, and some
     /// zeros. lay_out sets it; without it, or with one of another length, tests take longer.
     std::vector<float> single;
+    /// Of each level, an estimate of how far its nodes stand out of the leaves' union [m], 0 at the
+    /// last; lay_out sets it. A ball's excess over its children is taken in few directions; those
+    /// of a level's worst ball and of the worst below it add up.
+    std::vector<double> level_error;
     /// Of a half-space: the outward unit normal of its border, which goes through the origin. Its
     /// only node stands for all of it, exactly; that node's ball is meaningless.
     std::optional<Vector<Dim>> half_space;
@@ -66,6 +70,11 @@ struct SphereTree {
 
     /// Zeros at the end of `single`, so that a whole block of numbers may be read from any on.
     static constexpr std::size_t single_room = 16;
+
+    /// The entry of `level_error`; 0 beyond the last level.
+    [[nodiscard]] double error_at(int level) const {
+        return level < static_cast<int>(level_error.size()) ? level_error[index(level)] : 0;
+    }
 
     /// A node's number as the index of an array.
     static std::size_t index(int node) { return static_cast<std::size_t>(node); }

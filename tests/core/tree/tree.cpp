@@ -106,3 +106,27 @@ TEMPLATE_TEST_CASE_SIG("a ball is a tree of one leaf", "[tree]", ((int Dim), Dim
     CHECK(tree.is_leaf(0));
     CHECK(tree.level_nodes(5) == std::vector<int>{0});
 }
+
+TEMPLATE_TEST_CASE_SIG("a level's error is what its balls stand out of their children, added up",
+                       "[tree]", ((int Dim), Dim), 2, 3) {
+    // Two balls of half the radius to either side: furthest from them is the ball's top, or bottom.
+    std::vector<TreeNode<Dim>> nodes(3);
+    nodes[0] = {{Vector<Dim>::Zero(), 1}, Vector<Dim>::Zero(), {1, 2}};
+    nodes[1].sphere = {0.5 * Vector<Dim>::Unit(0), 0.5};
+    nodes[2].sphere = {-0.5 * Vector<Dim>::Unit(0), 0.5};
+    const auto once = lay_out<Dim>(std::span<const TreeNode<Dim>>(nodes));
+    const double excess = std::sqrt(1.25) - 0.5;
+    REQUIRE(once.level_error.size() == 2);
+    CHECK(once.error_at(0) == Approx(excess));
+    CHECK(once.error_at(1) == 0);
+    CHECK(once.error_at(2) == 0);
+
+    // One of them has two of its own, which leave out half as much.
+    nodes[1].children = {3, 4};
+    for (const double side : {0.25, -0.25})
+        nodes.push_back({{(0.5 + side) * Vector<Dim>::Unit(0), 0.25}, Vector<Dim>::Zero(), {}});
+    const auto twice = lay_out<Dim>(std::span<const TreeNode<Dim>>(nodes));
+    CHECK(twice.error_at(0) == Approx(1.5 * excess));
+    CHECK(twice.error_at(1) == Approx(0.5 * excess));
+    CHECK(single_sphere<Dim>({Vector<Dim>::Zero(), 1}).error_at(0) == 0);
+}
