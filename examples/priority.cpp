@@ -19,16 +19,22 @@ int main() {
     bodies[1].velocity = {-0.1, 0};  // a slow pair, and far above it
     bodies[3].velocity = {-5, 0};    // a fast one
 
-    int levels_of_fast[2] = {};
-    for (const lod::Priority priority : lod::choices<lod::Priority>()) {
-        lod::FrameStorage<2> storage;
+    lod::FrameStorage<2> storage;
+    const auto levels_by = [&](const std::string& name, lod::Priority priority) {
         lod::Budget budget = lod::Budget::node_tests(570);
         const auto& record = lod::detect<2>(bodies, {.priority = priority}, budget, storage);
-        std::printf("%s:", std::string(lod::name_of(priority)).c_str());
+        std::printf("%s:", name.c_str());
         for (const lod::PairRecord& pair : record.pairs)
             std::printf(" gears %d and %d to level %d;", pair.bodies.a, pair.bodies.b, pair.level);
         std::printf(" %llu tests\n", static_cast<unsigned long long>(record.tests));
-        levels_of_fast[static_cast<int>(priority)] = record.pairs.back().level;
-    }
-    return levels_of_fast[1] > levels_of_fast[0] ? 0 : 1;
+        return record.pairs.back().level - record.pairs.front().level;
+    };
+    for (const lod::Priority priority : lod::choices<lod::Priority>())
+        levels_by(std::string(lod::name_of(priority)), priority);
+
+    // A policy of one's own says what the next level of a pair is worth: here the upper pair's all.
+    storage.scheduler.own_value = [](const lod::LevelOffer<2>& offer) {
+        return offer.a.position.y();
+    };
+    return levels_by("the upper first", lod::Priority::level_order) > 0 ? 0 : 1;
 }

@@ -117,20 +117,21 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
                                Budget& budget, FrameStorage<Dim>& storage) {
     pose_all(bodies, storage.world_S);
     storage.broad_phase.find(bodies, storage.world_S, storage.candidates);
-    const bool order_matters = !budget.is_unlimited() || settings.finest.level != Finest::leaves;
-    prioritise<Dim>(order_matters ? settings.priority : Priority::in_order, bodies,
-                    storage.candidates, storage.order, storage.closing_speed);
+    const RefineTask<Dim> task{
+        bodies,
+        storage.candidates,
+        storage.world_S,
+        {settings.deepest_level, settings.contact_model == ContactModel::hull},
+        settings.priority,
+        settings.viewer};
     const std::uint64_t spent_before = budget.spent();
-    refine_all<Dim>({storage.candidates,
-                     storage.order,
-                     {settings.deepest_level, settings.contact_model == ContactModel::hull},
-                     storage.world_S},
-                    budget, storage.fronts);
+    storage.scheduler.refine_all(task, budget, storage.fronts);
     storage.true_shapes.clear();
-    if (!budget.ended())
-        storage.true_shapes.refine(
-            {bodies, storage.candidates, storage.order, settings.finest, settings.time_step},
-            budget, storage.fronts);
+    if (!budget.refused() && settings.finest.level != Finest::leaves)
+        storage.true_shapes.refine({bodies, storage.candidates, storage.scheduler.rank(task),
+                                    settings.finest, settings.time_step},
+                                   budget, storage.fronts);
+    storage.record.spending = {storage.scheduler.counts(), budget.tests_left(), {}};
     storage.record.cut = budget.cut();
     storage.record.tests = budget.spent() - spent_before;
     model_contacts(bodies, settings, storage);
@@ -140,6 +141,7 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
     storage.record.swept.clear();
     storage.record.energy_before = kinetic_energy(bodies);
     storage.record.energy_after = storage.record.energy_before;
+    storage.record.spending.time_left = budget.time_left();
     return storage.record;
 }
 
@@ -159,6 +161,8 @@ const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings
                                 record.swept);
     else
         integrate(bodies, settings.time_step);
+    record.spending.time_left = budget.time_left();
+    storage.scheduler.learn(budget);
     return record;
 }
 

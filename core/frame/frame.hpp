@@ -25,6 +25,7 @@ struct FrameSettings {
     PointModel point_model = PointModel::radius_ratio;
     Response response = Response::net;
     Priority priority = Priority::closing_speed;
+    Viewer viewer = {};        ///< of Priority::perceptual
     FinestDetail finest = {};  ///< beyond the leaves; a warm frame allocates nothing without it
     SweepSettings sweep = {};  ///< between this frame and the next
 };
@@ -44,6 +45,15 @@ struct PairRecord {
     double impact_time = 0;  ///< when the true shapes touched, from the frame's instant [s]
 };
 
+/// What a frame did with its budget.
+struct Spending {
+    LevelCounts levels;  ///< beyond the entry ones
+    /// Of a quota of node tests, beside what is reserved.
+    std::optional<std::uint64_t> tests_left = {};
+    /// Of a quota on a clock, at the end of the frame; negative where it was overrun.
+    std::optional<std::chrono::nanoseconds> time_left = {};
+};
+
 /// Every stage's result of one frame. Pictures, lessons, traces and metrics read it and never hook
 /// into the solver.
 template <int Dim>
@@ -58,6 +68,7 @@ struct FrameRecord {
     /// Where the budget ended before the finest level. A frame that ran on a clock gives the same
     /// bits when it is played again with Budget::until(*cut), unlimited where there is none.
     std::optional<Cut> cut;
+    Spending spending;
     /// What the response of the finished levels may cost at most, in row visits: the reserve that
     /// Budget holds back as the cost of node pairs. Of Response::net.
     std::uint64_t reserved_row_visits = 0;
@@ -82,8 +93,7 @@ struct FrameStorage {
     std::vector<PosedTree<Dim>> world_S;
     BroadPhase<Dim> broad_phase;
     std::vector<CandidatePair> candidates;
-    std::vector<std::int32_t> order;
-    std::vector<double> closing_speed;  ///< of each candidate
+    Scheduler<Dim> scheduler;
     Fronts fronts;
     TrueShapePass<Dim> true_shapes;
     FrontContacts<Dim> front_contacts;

@@ -1,6 +1,8 @@
 #include "lodlab/core/frame/schedule.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "lodlab/core/base/lists.hpp"
@@ -8,30 +10,20 @@
 namespace lod {
 namespace {
 
-/// Approach of the centres of mass [m/s]; negative when they part.
+/// How many binary digits a number has.
+std::size_t digits(std::uint64_t number) {
+    std::size_t count = 0;
+    for (; number > 0; number >>= 1) ++count;
+    return count;
+}
+
+/// How far the nodes of a level stand out of the leaves, both bodies together [m].
 template <int Dim>
-double closing_speed(const Body<Dim>& a, const Body<Dim>& b) {
-    const Vector<Dim> line = b.position - a.position;
-    const double length = line.norm();
-    return length > 0 ? line.dot(a.velocity - b.velocity) / length : 0;
+double pair_error(const PosedTree<Dim>& a, const PosedTree<Dim>& b, int level) {
+    return a.tree().error_at(level) + b.tree().error_at(level);
 }
 
 }  // namespace
-
-template <int Dim>
-void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
-                std::span<const CandidatePair> pairs, std::vector<std::int32_t>& order,
-                std::vector<double>& speed) {
-    order.resize(pairs.size());
-    std::iota(order.begin(), order.end(), 0);
-    if (priority == Priority::in_order) return;
-    speed.resize(pairs.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i)
-        speed[i] = closing_speed(bodies[at(pairs[i].a)], bodies[at(pairs[i].b)]);
-    std::sort(order.begin(), order.end(), [&](std::int32_t x, std::int32_t y) {
-        return speed[at(x)] != speed[at(y)] ? speed[at(x)] > speed[at(y)] : x < y;
-    });
-}
 
 template <int Dim>
 int entry_level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, bool by_hulls) {
@@ -41,78 +33,272 @@ int entry_level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, bool by_hulls)
     return std::max(a.tree().hulls.entry_level, b.tree().hulls.entry_level);
 }
 
-namespace {
-
-/// Refines the fronts of a frame.
 template <int Dim>
-struct Refiner : RefineTask<Dim> {
-    using RefineTask<Dim>::pairs, RefineTask<Dim>::order, RefineTask<Dim>::levels,
-        RefineTask<Dim>::world_S;
+std::uint64_t next_level_tests(const SphereTree<Dim>& a, const SphereTree<Dim>& b,
+                               std::span<const NodePair> front) {
+    std::uint64_t tests = 0;
+    for (const NodePair& pair : front) {
+        const std::int32_t children_a = a.child_count[at(pair.a)];
+        const std::int32_t children_b = b.child_count[at(pair.b)];
+        if (children_a == 0 && children_b == 0) continue;
+        tests += static_cast<std::uint64_t>(std::max(children_a, 1)) *
+                 static_cast<std::uint64_t>(std::max(children_b, 1));
+    }
+    return tests;
+}
+
+/// What a frame hands to the scheduler's steps.
+template <int Dim>
+struct Scheduler<Dim>::Frame {
+    const RefineTask<Dim>& task;
     Budget& budget;
     Fronts& fronts;
     std::uint64_t node_pairs = 0;  ///< of all fronts
 
-    Refinement refine_one(std::size_t pair, Budget& by) {
-        ListedFront& front = fronts.of_pair[pair];
-        by.begin(static_cast<std::int32_t>(pair), front.level + 1);
-        node_pairs -= static_cast<std::uint64_t>(front.pairs.count);
-        const Refinement done =
-            refine(world_S[at(pairs[pair].a)], world_S[at(pairs[pair].b)], by, front, fronts.list);
-        node_pairs += static_cast<std::uint64_t>(front.pairs.count);
-        return done;
+    [[nodiscard]] PosedTree<Dim>& a(std::size_t pair) const {
+        return task.world_S[at(task.pairs[pair].a)];
     }
-
-    /// Whatever the budget says.
-    void enter(std::size_t pair, int deepest) {
-        ListedFront& front = fronts.of_pair[pair];
-        const PosedTree<Dim>& a = world_S[at(pairs[pair].a)];
-        const PosedTree<Dim>& b = world_S[at(pairs[pair].b)];
-        test_roots(a, b, front, fronts.list);
-        node_pairs += static_cast<std::uint64_t>(front.pairs.count);
-        const int entry = std::max(entry_level(a, b, levels.begin_at_entry), deepest);
-        Budget enough = Budget::unlimited();
-        while (front.level < entry && !front.finest)
-            if (refine_one(pair, enough) == Refinement::interrupted) break;
-        budget.spend(front.tests);
-    }
-
-    /// Returns whether there is more to do.
-    bool finish_level(int level) {
-        bool unfinished = false;
-        for (const std::int32_t i : order) {
-            const ListedFront& front = fronts.of_pair[at(i)];
-            if (front.finest) continue;
-            if (front.level < level) {
-                budget.reserve(node_pairs);
-                if (refine_one(at(i), budget) == Refinement::interrupted) return false;
-            }
-            unfinished |= !front.finest;
-        }
-        return unfinished;
+    [[nodiscard]] PosedTree<Dim>& b(std::size_t pair) const {
+        return task.world_S[at(task.pairs[pair].b)];
     }
 };
 
-}  // namespace
-
 template <int Dim>
-void refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts) {
+void Scheduler<Dim>::refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts) {
     fronts.of_pair.resize(task.pairs.size());
     fronts.list.clear();
-    Refiner<Dim> refiner{task, budget, fronts};
-    // Without a limit each pair goes down to its end at once: the order changes nothing then.
+    counts_ = {};
+    const bool trades = task.priority == Priority::trade && !own_value;
+    refill(last_tests_, trades ? task.pairs.size() : 0, std::uint64_t{0});
+    Frame frame{task, budget, fronts};
     const bool at_once = budget.is_unlimited();
-    const int deepest = task.levels.deepest;
-    for (std::size_t i = 0; i < task.pairs.size(); ++i) refiner.enter(i, at_once ? deepest : 0);
-    if (at_once) return;
-    for (int level = 1; level <= deepest; ++level)
-        if (!refiner.finish_level(level)) break;
+    for (std::size_t i = 0; i < task.pairs.size(); ++i)
+        enter(frame, i, at_once ? task.levels.deepest : 0);
+    if (!at_once) {
+        budget.expect(pace_);
+        if (!own_value) weigh(task);
+        fill_heap(frame);
+        run(frame);
+        budget.reserve(frame.node_pairs);
+        budget.levels_done();
+    }
+    if (trades) remember(frame);
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                       \
-    template void prioritise(Priority, std::span<const Body<Dim>>, std::span<const CandidatePair>, \
-                             std::vector<std::int32_t>&, std::vector<double>&);                    \
-    template int entry_level(const PosedTree<Dim>&, const PosedTree<Dim>&, bool);                  \
-    template void refine_all(const RefineTask<Dim>&, Budget&, Fronts&);
+/// Whatever the budget says.
+template <int Dim>
+void Scheduler<Dim>::enter(Frame& frame, std::size_t pair, int deepest) {
+    ListedFront& front = frame.fronts.of_pair[pair];
+    test_roots(frame.a(pair), frame.b(pair), front, frame.fronts.list);
+    frame.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+    const int entry = std::max(
+        entry_level(frame.a(pair), frame.b(pair), frame.task.levels.begin_at_entry), deepest);
+    Budget enough = Budget::unlimited();
+    while (front.level < entry && !front.finest)
+        if (refine_one(frame, pair, enough) == Refinement::interrupted) break;
+    frame.budget.spend(front.tests);
+}
+
+template <int Dim>
+Refinement Scheduler<Dim>::refine_one(Frame& frame, std::size_t pair, Budget& by) {
+    ListedFront& front = frame.fronts.of_pair[pair];
+    const std::uint64_t tests_before = front.tests;
+    frame.node_pairs -= static_cast<std::uint64_t>(front.pairs.count);
+    const Refinement done = refine(frame.a(pair), frame.b(pair), by, front, frame.fronts.list);
+    frame.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+    if (done == Refinement::finished && pair < last_tests_.size())
+        last_tests_[pair] = front.tests - tests_before;
+    return done;
+}
+
+/// What the policy knows of pairs before their levels.
+template <int Dim>
+void Scheduler<Dim>::weigh(const RefineTask<Dim>& task) {
+    if (task.priority == Priority::perceptual)
+        attention_.weigh(task.viewer, task.bodies, task.pairs, weight_);
+    if (task.priority == Priority::trade) trade.plan(task.pairs, targets_);
+    if (task.priority != Priority::closing_speed) return;
+    weight_.resize(task.pairs.size());
+    for (std::size_t i = 0; i < task.pairs.size(); ++i)
+        weight_[i] =
+            closing_speed(task.bodies[at(task.pairs[i].a)], task.bodies[at(task.pairs[i].b)]);
+}
+
+template <int Dim>
+std::span<const std::int32_t> Scheduler<Dim>::rank(const RefineTask<Dim>& task) {
+    order_.resize(task.pairs.size());
+    std::iota(order_.begin(), order_.end(), 0);
+    if (task.priority != Priority::closing_speed && task.priority != Priority::perceptual)
+        return order_;
+    weigh(task);
+    std::sort(order_.begin(), order_.end(), [&](std::int32_t x, std::int32_t y) {
+        return weight_[at(x)] != weight_[at(y)] ? weight_[at(x)] > weight_[at(y)] : x < y;
+    });
+    return order_;
+}
+
+/// Node tests of the pair's next level; 0 where there is none.
+template <int Dim>
+std::uint64_t Scheduler<Dim>::next_tests(const Frame& frame, std::size_t pair) const {
+    const ListedFront& front = frame.fronts.of_pair[pair];
+    if (front.finest || front.level >= frame.task.levels.deepest) return 0;
+    return next_level_tests(frame.a(pair).tree(), frame.b(pair).tree(), frame.fronts.pairs(pair));
+}
+
+/// The next level of a pair. Returns whether there is one.
+template <int Dim>
+bool Scheduler<Dim>::offer(const Frame& frame, std::size_t pair, Waiting& waiting) const {
+    waiting.tests = next_tests(frame, pair);
+    if (waiting.tests == 0) return false;
+    waiting.pair = static_cast<std::int32_t>(pair);
+    const int level = frame.fronts.of_pair[pair].level + 1;
+    waiting.tier = own_value ? 0 : tier(frame.task.priority, pair, level);
+    waiting.value = value(frame, waiting, level);
+    if (std::isnan(waiting.value)) waiting.value = -std::numeric_limits<double>::infinity();
+    return true;
+}
+
+template <int Dim>
+std::int32_t Scheduler<Dim>::tier(Priority priority, std::size_t pair, int level) const {
+    switch (priority) {
+        case Priority::level_order:
+        case Priority::closing_speed:
+            return level;
+        case Priority::trade:
+            return level > targets_[pair] ? 1 : 0;
+        case Priority::first_come:
+        case Priority::perceptual:
+        case Priority::best_gain:
+            break;
+    }
+    return 0;
+}
+
+template <int Dim>
+double Scheduler<Dim>::value(const Frame& frame, const Waiting& waiting, int level) const {
+    const std::size_t pair = at(waiting.pair);
+    const auto fall = [&] {
+        return pair_error(frame.a(pair), frame.b(pair), level - 1) -
+               pair_error(frame.a(pair), frame.b(pair), level);
+    };
+    const RefineTask<Dim>& task = frame.task;
+    if (own_value)
+        return own_value({task.bodies[at(task.pairs[pair].a)], task.bodies[at(task.pairs[pair].b)],
+                          waiting.pair, level, waiting.tests, fall()});
+    switch (task.priority) {
+        case Priority::level_order:
+        case Priority::first_come:
+            return 0;
+        case Priority::closing_speed:
+            return weight_[pair];
+        case Priority::perceptual:
+            return weight_[pair] * fall() / static_cast<double>(waiting.tests);
+        case Priority::best_gain:
+        case Priority::trade:
+            break;
+    }
+    return fall() / static_cast<double>(waiting.tests);
+}
+
+template <int Dim>
+bool Scheduler<Dim>::comes_later(const Waiting& x, const Waiting& y) {
+    if (x.tier != y.tier) return x.tier > y.tier;
+    return x.value != y.value ? x.value < y.value : x.pair > y.pair;
+}
+
+template <int Dim>
+void Scheduler<Dim>::fill_heap(Frame& frame) {
+    heap_.clear();
+    of_size_.fill(0);
+    Waiting waiting;
+    for (std::size_t i = 0; i < frame.task.pairs.size(); ++i) {
+        if (!offer(frame, i, waiting)) continue;
+        heap_.push_back(waiting);
+        ++of_size_[digits(waiting.tests)];
+    }
+    std::make_heap(heap_.begin(), heap_.end(), comes_later);
+}
+
+template <int Dim>
+void Scheduler<Dim>::push(const Waiting& waiting) {
+    heap_.push_back(waiting);
+    std::push_heap(heap_.begin(), heap_.end(), comes_later);
+    ++of_size_[digits(waiting.tests)];
+}
+
+template <int Dim>
+typename Scheduler<Dim>::Waiting Scheduler<Dim>::pop() {
+    std::pop_heap(heap_.begin(), heap_.end(), comes_later);
+    const Waiting next = heap_.back();
+    heap_.pop_back();
+    --of_size_[digits(next.tests)];
+    return next;
+}
+
+/// No level that waits takes fewer tests.
+template <int Dim>
+std::uint64_t Scheduler<Dim>::least_waiting() const {
+    for (std::size_t size = 1; size < of_size_.size(); ++size)
+        if (of_size_[size] > 0) return std::uint64_t{1} << (size - 1);
+    return 0;
+}
+
+template <int Dim>
+void Scheduler<Dim>::run(Frame& frame) {
+    Waiting next;
+    while (!heap_.empty()) {
+        next = pop();
+        const std::size_t pair = at(next.pair);
+        frame.budget.reserve(frame.node_pairs);
+        frame.budget.begin(next.pair, frame.fronts.of_pair[pair].level + 1);
+        if (!frame.budget.fits(next.tests))
+            skip(frame);
+        else if (refine_one(frame, pair, frame.budget) == Refinement::interrupted)
+            ++counts_.dropped;
+        else {
+            ++counts_.finished;
+            if (offer(frame, pair, next)) push(next);
+        }
+        if (frame.budget.ended()) {
+            counts_.skipped += heap_.size();
+            return;
+        }
+    }
+}
+
+/// The level just taken does not fit; where none that waits does either, all are left out.
+template <int Dim>
+void Scheduler<Dim>::skip(Frame& frame) {
+    ++counts_.skipped;
+    if (heap_.empty() || frame.budget.fits_any(least_waiting())) return;
+    counts_.skipped += heap_.size();
+    heap_.clear();
+}
+
+/// What trade goes by in the next frame.
+template <int Dim>
+void Scheduler<Dim>::remember(const Frame& frame) {
+    trade.held.clear();
+    for (std::size_t i = 0; i < frame.task.pairs.size(); ++i) {
+        const ListedFront& front = frame.fronts.of_pair[i];
+        const auto error = [&](int level) { return pair_error(frame.a(i), frame.b(i), level); };
+        HeldLevel held{frame.task.pairs[i], front.level};
+        const int entry = entry_level(frame.a(i), frame.b(i), frame.task.levels.begin_at_entry);
+        if (front.level > entry) {
+            held.last_tests = last_tests_[i];
+            held.last_fall = error(front.level - 1) - error(front.level);
+        }
+        held.next_tests = next_tests(frame, i);
+        if (held.next_tests > 0) held.next_fall = error(front.level) - error(front.level + 1);
+        trade.held.push_back(held);
+    }
+}
+
+#define LOD_INSTANTIATE(Dim)                                                                \
+    template int entry_level(const PosedTree<Dim>&, const PosedTree<Dim>&, bool);           \
+    template std::uint64_t next_level_tests(const SphereTree<Dim>&, const SphereTree<Dim>&, \
+                                            std::span<const NodePair>);                     \
+    template class Scheduler<Dim>;
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

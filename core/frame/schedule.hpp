@@ -1,51 +1,37 @@
 #pragma once
 
 /// \file
-/// In which order pairs are refined, and the level-by-level refinement of all pairs under one
-/// budget.
+/// The scheduler: refines the candidate pairs of a frame under one budget, a level of a pair at a
+/// time, in the order of a policy.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/frame/broad_phase.hpp"
+#include "lodlab/core/frame/schedule/attention.hpp"
+#include "lodlab/core/frame/schedule/policy.hpp"
+#include "lodlab/core/frame/schedule/trade.hpp"
 #include "lodlab/core/tree/traversal.hpp"
 
 namespace lod {
 
-/// In which order pairs are refined.
-enum class Priority {
-    in_order,       ///< by body numbers
-    closing_speed,  ///< faster approach of the two centres of mass first: their errors move
-                    ///< furthest
-};
-/// Their words in scenes, options and messages.
-[[nodiscard]] constexpr std::array<std::string_view, 2> names_of(Priority) {
-    return {"in_order", "closing_speed"};
-}
-static_assert(names_of(Priority{}).size() == static_cast<std::size_t>(Priority::closing_speed) + 1);
-
-/// The order in which the pairs are refined: indices into `pairs`, most important first. `speed` is
-/// storage that the caller keeps.
-template <int Dim>
-void prioritise(Priority priority, std::span<const Body<Dim>> bodies,
-                std::span<const CandidatePair> pairs, std::vector<std::int32_t>& order,
-                std::vector<double>& speed);
-
 /// To which levels a frame refines.
 struct Levels {
     int deepest = 1000;           ///< refinement stops after this level
-    bool begin_at_entry = false;  ///< hulls tell of contacts: see refine_all
+    bool begin_at_entry = false;  ///< hulls tell of contacts: see Scheduler::refine_all
 };
 
 /// What a frame refines.
 template <int Dim>
 struct RefineTask {
+    std::span<const Body<Dim>> bodies;
     std::span<const CandidatePair> pairs;
-    std::span<const std::int32_t> order;  ///< of priority: indices into `pairs`
-    Levels levels;
     std::span<PosedTree<Dim>> world_S;  ///< of all bodies
+    Levels levels;
+    Priority priority = Priority::closing_speed;
+    Viewer viewer;  ///< of Priority::perceptual
 };
 
 /// The first level that says something of a pair: 0, or where contacts come from hulls the deeper
@@ -64,13 +50,92 @@ struct Fronts {
     }
 };
 
-/// The scheduler (section 5.1). The entry level of every pair is always done, which is level 0 but
-/// for bodies with hollows; its tests are spent whatever the budget says. Then level after level,
-/// each pair in the order of priority, until the budget ends, every front is finest, or the deepest
-/// level is finished. What follows stays reserved: beyond the entry level, tests and node pairs
-/// together never cost more than the quota. Where the budget cuts something short, Budget::cut says
-/// where.
+/// The node tests of a pair's next level, known before it is begun: over its front, the children of
+/// one node times those of the other, a leaf counting as its own child beside an inner node.
 template <int Dim>
-void refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts);
+[[nodiscard]] std::uint64_t next_level_tests(const SphereTree<Dim>& a, const SphereTree<Dim>& b,
+                                             std::span<const NodePair> front);
+
+/// What a scheduler did with the levels beyond the entry ones.
+struct LevelCounts {
+    std::uint64_t finished = 0;
+    std::uint64_t skipped = 0;  ///< not begun, for they would not have fitted; one a pair at most
+    std::uint64_t dropped = 0;  ///< begun, but they found more node pairs than could be paid for,
+                                ///< or the clock ran out
+};
+
+/// The scheduler (section 5.1). The entry level of every pair is always done, which is level 0 but
+/// for bodies with hollows; its tests are spent whatever the budget says. Then one level of one
+/// pair at a time, from a heap in the order of the policy, ties by candidate number, until nothing
+/// waits or fits. The cost of a level is known before it is begun: one that does not fit into the
+/// rest of the budget is skipped, its pair stays where it stands, and cheaper levels of other pairs
+/// may still fit. What follows stays reserved: beyond the entry level, tests and node pairs
+/// together never cost more than a quota of tests. Where the budget cuts something, Budget::cut
+/// says where.
+///
+/// A scheduler keeps its storage, how long a node test took so far, and for Priority::trade the
+/// levels of the last frame.
+template <int Dim>
+class Scheduler {
+  public:
+    /// Refines all pairs. Without a limit each goes down to its end at once: the order changes
+    /// nothing then.
+    void refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts);
+
+    /// The pairs as the levels after the leaves take them: by attention with
+    /// Priority::perceptual, by closing speed with closing_speed, else by number.
+    [[nodiscard]] std::span<const std::int32_t> rank(const RefineTask<Dim>& task);
+
+    /// Takes the place of the policy in refine_all; an empty one gives it back.
+    LevelValue<Dim> own_value;
+    /// What Priority::trade remembers.
+    Trade trade;
+
+    /// Of the last refine_all.
+    [[nodiscard]] const LevelCounts& counts() const { return counts_; }
+    /// At the end of a frame: what was measured of time, for the next.
+    void learn(const Budget& budget) { pace_ = budget.next_pace().value_or(pace_); }
+    /// What is expected on a clock.
+    [[nodiscard]] const Pace& pace() const { return pace_; }
+
+  private:
+    /// The next level of a pair.
+    struct Waiting {
+        double value = 0;
+        std::int32_t tier = 0;  ///< lower ones first, whatever the value
+        std::int32_t pair = 0;
+        std::uint64_t tests = 0;
+    };
+    static bool comes_later(const Waiting& x, const Waiting& y);
+
+    struct Frame;
+    void weigh(const RefineTask<Dim>& task);
+    void enter(Frame& frame, std::size_t pair, int deepest);
+    [[nodiscard]] Refinement refine_one(Frame& frame, std::size_t pair, Budget& by);
+    void fill_heap(Frame& frame);
+    [[nodiscard]] std::uint64_t next_tests(const Frame& frame, std::size_t pair) const;
+    [[nodiscard]] bool offer(const Frame& frame, std::size_t pair, Waiting& waiting) const;
+    [[nodiscard]] std::int32_t tier(Priority priority, std::size_t pair, int level) const;
+    [[nodiscard]] double value(const Frame& frame, const Waiting& waiting, int level) const;
+    void push(const Waiting& waiting);
+    [[nodiscard]] Waiting pop();
+    void run(Frame& frame);
+    void skip(Frame& frame);
+    [[nodiscard]] std::uint64_t least_waiting() const;
+    void remember(const Frame& frame);
+
+    std::vector<Waiting> heap_;
+    std::array<std::int32_t, 65> of_size_{};  ///< waiting levels, by the bits of their tests
+    std::vector<double> weight_;              ///< of each pair, where the policy has one
+    Attention<Dim> attention_;
+    std::vector<std::int32_t> order_;
+    std::vector<std::int32_t> targets_;      ///< of each pair, for trade
+    std::vector<std::uint64_t> last_tests_;  ///< of each pair's last finished level, for trade
+    Pace pace_;
+    LevelCounts counts_;
+};
+
+extern template class Scheduler<2>;
+extern template class Scheduler<3>;
 
 }  // namespace lod

@@ -9,35 +9,39 @@
 #include <limits>
 #include <optional>
 
+#include "lodlab/core/tree/deadline.hpp"
+
 namespace lod {
 
-/// Where a deadline reads the time. Injected, so that a test owns the clock.
-class Clock {
-  public:
-    virtual ~Clock() = default;
-    /// Time since any one moment; never decreasing.
-    [[nodiscard]] virtual std::chrono::nanoseconds now() const = 0;
-};
-
-/// std::chrono::steady_clock.
-class SteadyClock final : public Clock {
-  public:
-    /// Time since any one moment; never decreasing.
-    [[nodiscard]] std::chrono::nanoseconds now() const override;
+/// The part of a frame that a budget decided by counting: all of it under a quota of node tests; on
+/// a clock the end of it, from the first level that would not have fitted into the time left.
+struct Counted {
+    std::uint64_t from = 0;        ///< levels that had been asked for before (Budget::fits)
+    std::uint64_t quota = 0;       ///< node tests of the whole frame and what is reserved
+    double pair_cost = 0;          ///< node tests that a node pair of a front counts as
+    std::uint64_t level_cost = 0;  ///< and each level that is begun
+    friend bool operator==(const Counted&, const Counted&) = default;
 };
 
 /// Where a budget ended a frame: all that it takes to play the frame again.
 struct Cut {
-    std::int32_t pair = 0;    ///< number of the candidate pair that was refined
+    /// Number of the candidate pair in whose level the clock ended the frame; -1 where none did.
+    std::int32_t pair = -1;
     std::int32_t level = 0;   ///< in the making; one beyond the leaves for the true shapes
     std::uint64_t tests = 0;  ///< node tests of that level, all lost
+    std::optional<Counted> counted = {};  ///< nothing where the clock alone decided
     friend bool operator==(const Cut&, const Cut&) = default;
 };
 
 /// What a frame may spend on collision handling (section 5.1): a number of node tests, which is
-/// exactly repeatable, or a time on a clock. The cost of what follows is reserved: refinement stops
-/// when `spent + reserved node pairs x cost of one >= quota`, and a level whose node pairs the rest
-/// of the quota could not pay for is not kept.
+/// exactly repeatable, or a time on a clock. The cost of what follows is reserved: nothing is begun
+/// unless `spent + its own tests + reserved node pairs x cost of one <= quota`, and a level whose
+/// node pairs the rest of the quota could not pay for is not kept.
+///
+/// On a clock the time of a level is predicted from how long a node test took so far. From the
+/// first level that would not fit, the time that is left is turned into node tests, so that what is
+/// left out follows from few numbers (Counted); the clock still ends the frame, within a level,
+/// where the prediction was too bold.
 class Budget {
   public:
     /// Grants every test: frames go to the finest level that their settings ask for.
@@ -54,13 +58,20 @@ class Budget {
     /// Says what the next tests are for: a candidate pair and the level in the making.
     void begin(std::int32_t pair, std::int32_t level);
 
+    /// Whether the level in the making, of so many node tests, can finish. If not, it must be left
+    /// out, but what costs less may still fit unless the budget ended.
+    [[nodiscard]] bool fits(std::uint64_t tests);
+    /// Whether any level of at least so many tests may still fit. Where not, all that waits is left
+    /// out.
+    [[nodiscard]] bool fits_any(std::uint64_t tests);
+
     /// Asks for `wanted` node tests and returns how many may be done. Fewer than wanted means that
-    /// the budget ended there; from then on it grants nothing. `more_pairs` are the node pairs that
-    /// the level in the making has found beyond the reserved ones.
+    /// the level in the making must be dropped. `more_pairs` are the node pairs that it has found
+    /// beyond the reserved ones.
     [[nodiscard]] std::uint64_t grant(std::uint64_t wanted, std::uint64_t more_pairs = 0);
 
     /// Whether what follows from `more_pairs` beyond the reserved ones can be paid as well. If not,
-    /// the budget ended: the level that brought them must be dropped.
+    /// the level that brought them must be dropped.
     [[nodiscard]] bool keeps_level(std::uint64_t more_pairs);
 
     /// Node tests that are done whatever the budget says: the entry level of every pair, the
@@ -70,38 +81,60 @@ class Budget {
     /// The number of node pairs that will have to be modelled and answered.
     void reserve(std::uint64_t node_pairs);
 
+    /// On a clock: begins to measure how long node tests take, which are expected to take what
+    /// earlier frames measured; and what follows the levels, of which the reserve is made.
+    void expect(const Pace& pace);
+    void levels_done();
+    /// What the next frame on this clock should expect; nothing without a clock.
+    [[nodiscard]] std::optional<Pace> next_pace() const;
+
     /// Node tests done so far.
     [[nodiscard]] std::uint64_t spent() const { return spent_; }
+    /// Node tests left beside what is reserved; nothing where they are not counted.
+    [[nodiscard]] std::optional<std::uint64_t> tests_left() const;
+    /// Time until the deadline, negative after it; nothing without one. Reads the clock.
+    [[nodiscard]] std::optional<std::chrono::nanoseconds> time_left() const;
     /// Whether it was made by unlimited().
-    [[nodiscard]] bool is_unlimited() const {
-        return clock_ == nullptr && quota_ == no_limit && !until_;
-    }
+    [[nodiscard]] bool is_unlimited() const { return !deadline_ && !counted_ && !until_; }
     /// Whether it has refused something.
+    [[nodiscard]] bool refused() const { return refused_ || ended_; }
+    /// Whether it refuses everything from now on.
     [[nodiscard]] bool ended() const { return ended_; }
-    /// Where it ended; nothing where it did not.
+    /// Where it ended the frame; nothing where it refused nothing.
     [[nodiscard]] std::optional<Cut> cut() const;
 
+    /// On a clock a level counts as so many node tests more: taking it from the heap, carrying its
+    /// nodes, sorting its front.
+    static constexpr std::uint64_t tests_of_a_level = 32;
+    /// While levels are left out, a clock is looked at once in so many of them.
+    static constexpr std::uint64_t skips_unread = 8;
+
   private:
-    [[nodiscard]] std::uint64_t tests_left(std::uint64_t more_pairs);
+    [[nodiscard]] bool fits_count(std::uint64_t tests);
+    [[nodiscard]] bool fits_time(std::uint64_t tests, std::uint64_t asked);
+    void count(const Counted& counted);
+    bool end();
+    [[nodiscard]] Work work(std::uint64_t more_pairs = 0) const;
+    [[nodiscard]] std::uint64_t used() const;
+    [[nodiscard]] std::uint64_t count_left(std::uint64_t more_pairs = 0) const;
     [[nodiscard]] std::uint64_t test_limit(std::uint64_t node_pairs) const;
-    [[nodiscard]] bool past_deadline(std::uint64_t node_pairs) const;
     [[nodiscard]] bool is_at_cut() const;
 
     static constexpr std::uint64_t no_limit = (std::numeric_limits<std::uint64_t>::max)();
-    /// A clock is read once in so many tests: reading it costs about as much as ten tests.
-    static constexpr std::uint64_t tests_between_readings = 64;
 
-    const Clock* clock_ = nullptr;
-    std::chrono::nanoseconds deadline_{};
+    std::optional<Deadline> deadline_;
+    std::optional<Counted> counted_;  ///< in force
     std::optional<Cut> until_;
-    std::uint64_t quota_ = no_limit;
-    double pair_cost_ = 0;  ///< node tests, or nanoseconds when there is a clock
     std::uint64_t node_pairs_ = 0;
-    std::uint64_t limit_ = no_limit;  ///< of spent_: the quota less what the node pairs reserve
+    std::uint64_t limit_ = no_limit;  ///< of tests: the quota less what the node pairs reserve
     std::uint64_t spent_ = 0;
-    std::uint64_t next_reading_ = 0;
+    std::uint64_t asked_ = 0;         ///< levels
+    std::uint64_t begun_ = 0;         ///< of them
+    std::uint64_t begun_before_ = 0;  ///< of these: before counting began
+    std::uint64_t skips_ = 0;
     Cut at_;                          ///< pair and level in the making
     std::uint64_t spent_before_ = 0;  ///< them
+    bool refused_ = false;
     bool ended_ = false;
 };
 

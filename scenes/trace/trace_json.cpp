@@ -143,8 +143,22 @@ Json swept(const lod::FrameRecord<Dim>& record) {
     return list;
 }
 
+namespace {
+
+Json viewer_json(const lod::Viewer& viewer) {
+    return {{"fixation", viewer.fixation},
+            {"eye", viewer.eye ? Json(*viewer.eye) : Json()},
+            {"distance", viewer.distance},
+            {"half_sensitivity", viewer.half_sensitivity},
+            {"speed", viewer.speed},
+            {"distractor", viewer.distractor},
+            {"behind_another", viewer.behind_another}};
+}
+
+}  // namespace
+
 Json json_of(const lod::FrameSettings& settings) {
-    return {{"time_step", settings.time_step},
+    Json json{{"time_step", settings.time_step},
             {"deepest_level", settings.deepest_level},
             {"response", lod::name_of(settings.response)},
             {"contact_model", lod::name_of(settings.contact_model)},
@@ -161,6 +175,9 @@ Json json_of(const lod::FrameSettings& settings) {
               {"exact", settings.sweep.exact},
               {"tolerance", settings.sweep.tolerance},
               {"most_impacts", settings.sweep.most_impacts}}}};
+    if (settings.priority == lod::Priority::perceptual)
+        json["viewer"] = viewer_json(settings.viewer);
+    return json;
 }
 
 namespace {
@@ -181,6 +198,18 @@ lod::SweepSettings sweep_from(const Json& json) {
     sweep.most_impacts = io::whole_number<int>(json.at("most_impacts"));
     if (!(sweep.tolerance > 0)) throw std::invalid_argument("tolerance is out of range");
     return sweep;
+}
+
+lod::Viewer viewer_from(const Json& json) {
+    lod::Viewer viewer;
+    viewer.fixation = json.at("fixation").get<lod::Viewer::Point>();
+    if (!json.at("eye").is_null()) viewer.eye = json.at("eye").get<lod::Viewer::Point>();
+    viewer.distance = number_from(json.at("distance"));
+    viewer.half_sensitivity = number_from(json.at("half_sensitivity"));
+    viewer.speed = number_from(json.at("speed"));
+    viewer.distractor = number_from(json.at("distractor"));
+    viewer.behind_another = number_from(json.at("behind_another"));
+    return viewer;
 }
 
 }  // namespace
@@ -206,6 +235,7 @@ lod::FrameSettings settings_from(const Json& json) {
             : lod::ContactModel::centre_line;  // traces from before there was a choice
     settings.point_model = choice<lod::PointModel>(json.at("point_model"));
     settings.priority = choice<lod::Priority>(json.at("priority"));
+    if (json.contains("viewer")) settings.viewer = viewer_from(json.at("viewer"));
     if (!(settings.time_step > 0 && settings.time_step <= 1))
         throw std::invalid_argument("time_step is out of range");
     return settings;
@@ -213,14 +243,27 @@ lod::FrameSettings settings_from(const Json& json) {
 
 Json json_of(const std::optional<lod::Cut>& cut) {
     if (!cut) return {};
-    return {{"pair", cut->pair}, {"level", cut->level}, {"tests", cut->tests}};
+    Json json{{"pair", cut->pair}, {"level", cut->level}, {"tests", cut->tests}};
+    if (cut->counted)
+        json["counted"] = {{"from", cut->counted->from},
+                           {"quota", cut->counted->quota},
+                           {"pair_cost", cut->counted->pair_cost},
+                           {"level_cost", cut->counted->level_cost}};
+    return json;
 }
 
 std::optional<lod::Cut> cut_from(const Json& json) {
     if (json.is_null()) return std::nullopt;
-    return lod::Cut{io::whole_number<std::int32_t>(json.at("pair")),
-                    io::whole_number<std::int32_t>(json.at("level")),
-                    io::whole_number<std::uint64_t>(json.at("tests"))};
+    lod::Cut cut{io::whole_number<std::int32_t>(json.at("pair")),
+                 io::whole_number<std::int32_t>(json.at("level")),
+                 io::whole_number<std::uint64_t>(json.at("tests"))};
+    if (!json.contains("counted")) return cut;
+    const Json& counted = json.at("counted");
+    cut.counted = {io::whole_number<std::uint64_t>(counted.at("from")),
+                   io::whole_number<std::uint64_t>(counted.at("quota")),
+                   number_from(counted.at("pair_cost")),
+                   io::whole_number<std::uint64_t>(counted.at("level_cost"))};
+    return cut;
 }
 
 Json json_of(const Limits& limits) {

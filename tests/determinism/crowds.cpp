@@ -110,9 +110,14 @@ void add_crowds_of(const std::string& where, Report& report) {
     report.add("crowd in " + where + ", 100 node tests a frame",
                crowd<Dim>({}, lod::Budget::node_tests(100)));
     lod::FrameSettings in_order;
-    in_order.priority = lod::Priority::in_order;
+    in_order.priority = lod::Priority::level_order;
     report.add("crowd in " + where + ", 100 node tests a frame, in order",
                crowd<Dim>(in_order, lod::Budget::node_tests(100)));
+    for (const lod::Priority priority : {lod::Priority::first_come, lod::Priority::perceptual,
+                                         lod::Priority::best_gain, lod::Priority::trade})
+        report.add("crowd in " + where + ", 100 node tests a frame, " +
+                       std::string(lod::name_of(priority)),
+                   crowd<Dim>({.priority = priority}, lod::Budget::node_tests(100)));
     lod::FrameSettings swept;  // at steps in which the clusters move further than their leaves are
     swept.time_step = 0.1;
     swept.sweep.on = true;

@@ -104,7 +104,7 @@ TEST_CASE("every key of the scene arrives in its field") {
     CHECK(scene.finest.level == lod::Finest::backtrack);
     CHECK(scene.finest.most_pairs == 3);
     CHECK(scene.point_model == lod::PointModel::plane_of_intersection);
-    CHECK(scene.priority == lod::Priority::in_order);
+    CHECK(scene.priority == lod::Priority::level_order);
     REQUIRE(scene.camera);
     CHECK(scene.camera->centre == scenes::Triple{1, 2, 0});
     CHECK(scene.camera->width == 3);

@@ -4,27 +4,13 @@
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 #include "tests/core/frame/clock.hpp"
+#include "tests/core/frame/heap.hpp"
 
 using namespace lod;
 using namespace lodtest;
 using namespace std::chrono_literals;
 
 namespace {
-
-/// A loose heap of boxes that move towards its middle.
-template <int Dim>
-std::vector<Body<Dim>> heap(std::uint64_t seed, int count = 12) {
-    Random random(seed);
-    std::vector<Body<Dim>> bodies;
-    for (int i = 0; i < count; ++i) {
-        bodies.push_back(random_body<Dim>(random));
-        bodies.back().position *= 0.7;
-        bodies.back().velocity = -bodies.back().position;
-        bodies.back().tree = random_tree<Dim>(random, 3, 4, random.in(0.4, 1.2));
-    }
-    make_static(bodies.front());
-    return bodies;
-}
 
 template <int Dim>
 std::uint64_t hash_of(const std::vector<Body<Dim>>& bodies) {
@@ -224,7 +210,7 @@ TEMPLATE_TEST_CASE_SIG("a budget cut short goes to the pair that closes fastest"
     CHECK(level_of(record, 4) == 0);
 
     FrameSettings in_order;
-    in_order.priority = Priority::in_order;
+    in_order.priority = Priority::level_order;
     const auto by_number = step(again, Budget::node_tests(3 + 16), in_order);
     CHECK(level_of(by_number, 0) == 1);
     CHECK(level_of(by_number, 2) == 0);

@@ -1,0 +1,101 @@
+#pragma once
+
+/// \file
+/// A moment that a frame must not pass: when to look at the clock, and what still fits before it.
+
+#include <chrono>
+#include <cstdint>
+
+namespace lod {
+
+/// Where a deadline reads the time. Injected, so that a test owns the clock.
+class Clock {
+  public:
+    virtual ~Clock() = default;
+    /// Time since any one moment. Where it goes back, a deadline takes it to stand still.
+    [[nodiscard]] virtual std::chrono::nanoseconds now() const = 0;
+};
+
+/// std::chrono::steady_clock.
+class SteadyClock final : public Clock {
+  public:
+    /// Time since any one moment; never decreasing.
+    [[nodiscard]] std::chrono::nanoseconds now() const override;
+};
+
+/// What a frame has done so far and has to pay for later.
+struct Work {
+    std::uint64_t tests = 0;       ///< node tests, those that levels count as included
+    std::uint64_t node_pairs = 0;  ///< to be modelled and answered
+};
+
+/// How long things take on a clock, as earlier frames measured it.
+struct Pace {
+    double test = 4;  ///< [ns] a node test; before any was measured: of a slow processor
+    /// [ns] all that follows the levels, for each node pair of a front; 0: not measured yet.
+    double pair = 0;
+};
+
+/// A deadline on a clock. The time of node tests is predicted from how long they took so far, and
+/// the time of what follows from what it took in the last frames.
+class Deadline {
+  public:
+    /// The quota counts from now on; `pair_time` is that of a node pair, kept in reserve, until a
+    /// frame has measured it; 0: nothing is reserved.
+    Deadline(const Clock& clock, std::chrono::nanoseconds quota,
+             std::chrono::nanoseconds pair_time);
+
+    /// Begins to measure how long a node test takes.
+    void expect(const Pace& pace, const Work& done);
+    /// Begins to measure how long what follows the levels takes.
+    void levels_done(const Work& done);
+    /// At the end of a frame: what to expect of the next. Of a node test, what was expected, a
+    /// quarter of the way to what was measured; of what follows, what takes longer counts at once,
+    /// and less by a sixteenth: the reserve should hold in nearly all frames. Neither more than
+    /// doubles or halves, for a frame may have been preempted.
+    [[nodiscard]] Pace next_pace() const;
+
+    /// Whether the time for so many tests more is there. Looks at the clock only where it is near.
+    [[nodiscard]] bool fits(std::uint64_t tests, const Work& done);
+    /// Whether it is over, less what is reserved. Looks at the clock only where it is near.
+    [[nodiscard]] bool passed(const Work& done);
+
+    /// By the last look at the clock: the node tests for which there was time, nothing reserved.
+    [[nodiscard]] double tests_left() const;
+    /// A node pair's time in node tests.
+    [[nodiscard]] double pair_cost() const { return pair_time_ / pace_; }
+    /// Negative when it is over. Looks at the clock.
+    [[nodiscard]] std::chrono::nanoseconds left() const { return end_ - clock_->now(); }
+
+    /// No processor is faster than that: what a clock that stands still is taken for.
+    static constexpr double least_pace = 0.05;
+    /// Fewer tests and node pairs measure nothing.
+    static constexpr std::uint64_t least_measured = 512;
+    static constexpr std::uint64_t least_pairs_measured = 16;
+    /// The next look at the clock comes when a quarter of the time left is over, by prediction, but
+    /// not sooner nor later than after so many tests: .1 us and 20 us, about, where a look takes
+    /// .02 us.
+    static constexpr double least_unread = 64;
+    static constexpr double most_unread = 8192;
+
+  private:
+    double read(const Work& done);
+    void measure(std::uint64_t tests);
+    [[nodiscard]] bool is_far(const Work& done, std::uint64_t tests) const;
+
+    const Clock* clock_;
+    std::chrono::nanoseconds end_;
+    std::chrono::nanoseconds last_;  ///< the latest reading
+    double pair_time_;               ///< [ns]
+    double next_reading_ = 0;        ///< of tests done
+    std::uint64_t pairs_at_reading_ = 0;
+    Pace expected_;
+    double measured_ = 0;  ///< [ns a test]; 0: nothing yet
+    double pace_ = expected_.test;
+    std::chrono::nanoseconds from_;  ///< when measuring began
+    std::uint64_t tests_from_ = 0;
+    std::chrono::nanoseconds levels_end_;
+    std::uint64_t pairs_at_end_ = 0;
+};
+
+}  // namespace lod
