@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -46,6 +47,8 @@ struct Options {
     std::string point_model;
     std::string contact_model;
     std::string finest;
+    std::string policy;
+    std::optional<std::array<double, 3>> fixation;  ///< [m]
     std::string sweep;       ///< "on", "off"; empty: as the scene says
     bool projected = false;  ///< the picture of collide, in space
     std::string picture;     ///< of simulate: "strip", "plot"; empty: what suits the scene

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
 #include <sstream>
 
@@ -85,6 +87,28 @@ CLI::Validator place_of_a_trace() {
         "");
 }
 
+/// Two or three numbers, parted by commas.
+std::optional<std::array<double, 3>> point_in(std::string_view text) {
+    std::array<double, 3> point{};
+    for (double& number : point) {
+        const std::size_t comma = std::min(text.find(','), text.size());
+        const std::optional<double> found = decimal_in(text.substr(0, comma));
+        if (!found || std::abs(*found) > 1e6) return {};
+        number = *found;
+        if (comma == text.size())
+            return &number == point.data() ? std::nullopt : std::optional(point);
+        text.remove_prefix(comma + 1);
+    }
+    return {};
+}
+
+void read_fixation(const std::string& text, Options& options) {
+    options.fixation = point_in(text);
+    if (!options.fixation)
+        throw CLI::ValidationError("--fixation",
+                                   "must be two or three numbers, as in 0.5,-1, not " + text);
+}
+
 /// A row of the table of options.
 struct Row {
     std::string_view name;
@@ -134,6 +158,8 @@ const Row rows[] = {
     {"--share", [](CLI::App& a, Options& o) { a.add_option("--share", o.share, "do one share of the impacts only, as in 3/8")->type_name("I/N")->capture_default_str(); }},
     {"--merge", [](CLI::App& a, Options& o) { a.add_option("--merge", o.merge, "put shares together that --out FILE.json wrote")->type_name("FILE"); }},
     {"--finest", [](CLI::App& a, Options& o) { a.add_option("--finest", o.finest, "what follows the leaves")->check(name_of_a<lod::Finest>()); }},
+    {"--policy", [](CLI::App& a, Options& o) { a.add_option("--policy", o.policy, "which pair's next level comes first (a scene's priority)")->check(name_of_a<lod::Priority>()); }},
+    {"--fixation", [](CLI::App& a, Options& o) { a.add_option_function<std::string>("--fixation", [&o](const std::string& text) { read_fixation(text, o); }, "the point that the observer looks at, for --policy perceptual [m]")->type_name("X,Y[,Z]"); }},
     {"--sweep", [](CLI::App& a, Options& o) { a.add_option("--sweep", o.sweep, "look between frames for what fast bodies would pass through; without it where --finest goes beyond the leaves")->check(one_of({"on", "off"})); }},
     {"--projected", [](CLI::App& a, Options& o) { a.add_flag("--projected", o.projected, "space: pictures show the last level's intersecting spheres in the plane of the contact normal"); }},
     {"--strip", [](CLI::App& a, Options& o) { a.add_flag_callback("--strip", [&o] { o.picture = "strip"; }, "still pictures show start, collision and after (two bodies: the default)"); }},

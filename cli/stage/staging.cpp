@@ -62,6 +62,8 @@ scenes::Scene scene_of(const Options& options) {
     override_choice(options.contact_model, scene.contact_model);
     override_choice(options.point_model, scene.point_model);
     override_choice(options.finest, scene.finest.level);
+    override_choice(options.policy, scene.priority);
+    if (options.fixation) scene.viewer.fixation = *options.fixation;
     if (!options.sweep.empty()) scene.sweep = options.sweep == "on";
     if (options.duration) scene.duration = *options.duration;
     check_frames(scene, options);

@@ -58,6 +58,27 @@ TEST_CASE("the same run gives the same bits, and another budget gives others") {
     CHECK(budgeted["level_reached"]["max"] < first["level_reached"]["max"]);
 }
 
+TEST_CASE("a policy decides what a budget is spent on, and in a trace it is kept") {
+    const Scratch scratch;
+    const std::string trace = scratch / "trace.json";
+    const std::vector<std::string> run{
+        "simulate", "gears_in_a_box", "--duration", "0.5", "--budget", "60", "--json"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), run.begin(), run.end());
+        return result(more)["state_hash"];
+    };
+    CHECK(with({"--policy", "first_come"}) != with({"--policy", "best_gain"}));
+    const Json seen = with({"--policy", "perceptual", "--fixation", "0.3,-0.2", "--trace", trace});
+    CHECK(seen != with({"--policy", "perceptual", "--fixation", "-2,1"}));
+    CHECK(seen ==
+          result({"simulate", "gears_in_a_box", "--replay", trace, "--json"})["state_hash"]);
+    for (const char* point : {"1", "1,", "1,2,3,4", "a,b", "nan,0", "1e7,0"}) {
+        const Outcome refused = lodlab({"simulate", "gears_in_a_box", "--fixation", point});
+        CHECK(refused.code == 2);
+        CHECK(is_one_line(refused.err));
+    }
+}
+
 TEST_CASE("a trace written on the clock is replayed to the same bits") {
     const Scratch scratch;
     const std::string trace = scratch / "trace.json";

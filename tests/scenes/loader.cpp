@@ -33,6 +33,8 @@ bool contains(const std::string& text, const std::string& part) {
 
 constexpr const char* in_space = R"(
 dim = 3
+priority = "perceptual"
+eye = [1, 2, 30]
 [[body]]
 shape = "knot"
 position = [1, 2, 3]
@@ -61,6 +63,7 @@ finest = "backtrack"
 finest_pairs = 3
 point_model = "plane_of_intersection"
 priority = "in_order"
+fixation = [0.5, -1]
 restitution = 0.5
 density = 2
 builder = "pieces"
@@ -105,6 +108,8 @@ TEST_CASE("every key of the scene arrives in its field") {
     CHECK(scene.finest.most_pairs == 3);
     CHECK(scene.point_model == lod::PointModel::plane_of_intersection);
     CHECK(scene.priority == lod::Priority::level_order);
+    CHECK(scene.viewer.fixation == lod::Viewer::Point{0.5, -1, 0});
+    CHECK_FALSE(scene.viewer.eye);
     REQUIRE(scene.camera);
     CHECK(scene.camera->centre == scenes::Triple{1, 2, 0});
     CHECK(scene.camera->width == 3);
@@ -141,6 +146,8 @@ TEST_CASE("every key of a body arrives in its field") {
 TEST_CASE("vectors of a scene in space are triples") {
     const scenes::Scene scene = parsed(in_space);
     CHECK(scene.dim == 3);
+    CHECK(scene.priority == lod::Priority::perceptual);
+    CHECK(scene.viewer.eye == lod::Viewer::Point{1, 2, 30});
     const scenes::BodySpec& body = scene.bodies.at(0);
     CHECK(body.position == scenes::Triple{1, 2, 3});
     CHECK(body.axis[1] == Approx(0.6));
@@ -220,6 +227,14 @@ TEST_CASE("numbers outside their range are refused") {
     }
     for (const char* key : {"time_step", "duration", "milliseconds", "level", "node_tests"})
         CHECK(contains(refusal(std::string(key) + " = " + value), "test.toml:1:1: "));
+    CHECK(contains(refusal("fixation = [0, " + value + "]"), "test.toml:1:1: "));
+}
+
+TEST_CASE("a quota below nothing is refused, one of nothing is taken") {
+    CHECK(contains(refusal("milliseconds = -1e-9"), "must lie between 0 and 1e+06, not -1e-09"));
+    CHECK(contains(refusal("node_tests = -1"), "must lie between 0 and"));
+    CHECK(parsed("milliseconds = 0\n[[body]]\nshape = \"box\"\n").limits.milliseconds == 0.0);
+    CHECK(parsed("node_tests = 0\n[[body]]\nshape = \"box\"\n").limits.node_tests == 0U);
 }
 
 TEST_CASE("values that mean nothing are refused with the mend") {

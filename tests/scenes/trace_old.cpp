@@ -20,7 +20,7 @@ TEST_CASE("a trace of version 2 plays again to the hash that was printed when it
     const scenes::Trace trace = scenes::parse_trace(version_2(), "old.json");
     CHECK(trace.head().version == 2);
     CHECK(trace.head().scene == "crossing");
-    CHECK(trace.head().settings.priority == lod::Priority::in_order);
+    CHECK(trace.head().settings.priority == lod::Priority::level_order);
     CHECK(trace.frames() == 30);
     const scenes::Run<2> run = scenes::replay<2>(trace, crossing());
     CHECK(scenes::hexadecimal(run.state_hash) == hash_of_the_run);
