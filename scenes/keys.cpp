@@ -179,6 +179,7 @@ const Key<Scene> scene_table[] = {
     {"contact_model", "", "hull", [](const E& e, Scene& s, Reading&) { s.contact_model = choice<lod::ContactModel>(e); }},
     {"point_model", "", "radius_ratio", [](const E& e, Scene& s, Reading&) { s.point_model = choice<lod::PointModel>(e); }},
     {"priority", "", "closing_speed", [](const E& e, Scene& s, Reading&) { s.priority = choice<lod::Priority>(e); }},
+    {"organisation", "", "interleaved", [](const E& e, Scene& s, Reading&) { s.organisation = choice<lod::Organisation>(e); }},
     {"fixation", "m", "the origin", [](const E& e, Scene& s, Reading& r) { s.viewer.fixation = vector(e, r, most_metres); }},
     {"eye", "m", "10 m before it", [](const E& e, Scene& s, Reading& r) { check_in_space(e, r); s.viewer.eye = vector(e, r, most_metres); }},
     {"finest", "", "leaves", [](const E& e, Scene& s, Reading&) { s.finest.level = choice<lod::Finest>(e); }},

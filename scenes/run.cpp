@@ -85,6 +85,7 @@ lod::FrameSettings frame_settings(const Scene& scene, const Limits& limits) {
     settings.response = scene.response;
     settings.priority = scene.priority;
     settings.viewer = scene.viewer;
+    settings.organisation = scene.organisation;
     settings.finest = scene.finest;
     const bool beyond_leaves = scene.finest.level != lod::Finest::leaves;
     settings.sweep.on = scene.sweep.value_or(beyond_leaves);

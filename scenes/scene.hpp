@@ -82,6 +82,7 @@ struct Scene {
     lod::ContactModel contact_model = lod::ContactModel::hull;
     lod::PointModel point_model = lod::PointModel::radius_ratio;
     lod::Priority priority = lod::Priority::closing_speed;
+    lod::Organisation organisation = lod::Organisation::interleaved;
     lod::Viewer viewer;        ///< who looks, for Priority::perceptual
     lod::FinestDetail finest;  ///< beyond the leaves
     /// Whether fast bodies are swept between frames; nothing: where something follows the leaves.

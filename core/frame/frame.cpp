@@ -123,7 +123,8 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
         storage.world_S,
         {settings.deepest_level, settings.contact_model == ContactModel::hull},
         settings.priority,
-        settings.viewer};
+        settings.viewer,
+        settings.organisation};
     const std::uint64_t spent_before = budget.spent();
     storage.scheduler.refine_all(task, budget, storage.fronts);
     storage.true_shapes.clear();

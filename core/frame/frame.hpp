@@ -25,7 +25,8 @@ struct FrameSettings {
     PointModel point_model = PointModel::radius_ratio;
     Response response = Response::net;
     Priority priority = Priority::closing_speed;
-    Viewer viewer = {};        ///< of Priority::perceptual
+    Viewer viewer = {};  ///< of Priority::perceptual
+    Organisation organisation = Organisation::interleaved;
     FinestDetail finest = {};  ///< beyond the leaves; a warm frame allocates nothing without it
     SweepSettings sweep = {};  ///< between this frame and the next
 };

@@ -78,7 +78,10 @@ void Scheduler<Dim>::refine_all(const RefineTask<Dim>& task, Budget& budget, Fro
         budget.expect(pace_);
         if (!own_value) weigh(task);
         fill_heap(frame);
+        const bool stores = task.organisation == Organisation::stored;
+        if (stores) store_entries(frame);
         run(frame);
+        if (stores) resolve(frame);
         budget.reserve(frame.node_pairs);
         budget.levels_done();
     }
@@ -257,6 +260,7 @@ void Scheduler<Dim>::run(Frame& frame) {
             ++counts_.dropped;
         else {
             ++counts_.finished;
+            if (frame.task.organisation == Organisation::stored) store(frame, pair);
             if (offer(frame, pair, next)) push(next);
         }
         if (frame.budget.ended()) {
@@ -273,6 +277,30 @@ void Scheduler<Dim>::skip(Frame& frame) {
     if (heap_.empty() || frame.budget.fits_any(least_waiting())) return;
     counts_.skipped += heap_.size();
     heap_.clear();
+}
+
+template <int Dim>
+void Scheduler<Dim>::store(const Frame& frame, std::size_t pair) {
+    stored_.add(static_cast<std::int32_t>(pair), frame.fronts.of_pair[pair],
+                frame.fronts.pairs(pair));
+}
+
+template <int Dim>
+void Scheduler<Dim>::store_entries(Frame& frame) {
+    stored_.clear();
+    for (std::size_t i = 0; i < frame.task.pairs.size(); ++i) store(frame, i);
+    frame.budget.divide(frame.node_pairs);
+}
+
+/// Decides at which of its stored levels each pair is answered.
+template <int Dim>
+void Scheduler<Dim>::resolve(Frame& frame) {
+    const std::uint64_t most = frame.budget.join();
+    if (!stored_.resolve(most, frame.fronts.of_pair, frame.fronts.list))
+        frame.budget.answer_only(most);
+    frame.node_pairs = 0;
+    for (const ListedFront& front : frame.fronts.of_pair)
+        frame.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
 }
 
 /// What trade goes by in the next frame.

@@ -11,6 +11,7 @@
 
 #include "lodlab/core/frame/broad_phase.hpp"
 #include "lodlab/core/frame/schedule/attention.hpp"
+#include "lodlab/core/frame/schedule/collision_tree.hpp"
 #include "lodlab/core/frame/schedule/policy.hpp"
 #include "lodlab/core/frame/schedule/trade.hpp"
 #include "lodlab/core/tree/traversal.hpp"
@@ -32,6 +33,7 @@ struct RefineTask {
     Levels levels;
     Priority priority = Priority::closing_speed;
     Viewer viewer;  ///< of Priority::perceptual
+    Organisation organisation = Organisation::interleaved;
 };
 
 /// The first level that says something of a pair: 0, or where contacts come from hulls the deeper
@@ -123,6 +125,9 @@ class Scheduler {
     void skip(Frame& frame);
     [[nodiscard]] std::uint64_t least_waiting() const;
     void remember(const Frame& frame);
+    void store(const Frame& frame, std::size_t pair);
+    void store_entries(Frame& frame);
+    void resolve(Frame& frame);
 
     std::vector<Waiting> heap_;
     std::array<std::int32_t, 65> of_size_{};  ///< waiting levels, by the bits of their tests
@@ -131,6 +136,7 @@ class Scheduler {
     std::vector<std::int32_t> order_;
     std::vector<std::int32_t> targets_;      ///< of each pair, for trade
     std::vector<std::uint64_t> last_tests_;  ///< of each pair's last finished level, for trade
+    CollisionTree stored_;
     Pace pace_;
     LevelCounts counts_;
 };

@@ -30,14 +30,14 @@ Budget Budget::until(const Cut& cut) {
 }
 
 void Budget::begin(std::int32_t pair, std::int32_t level) {
-    at_ = {pair, level, 0, {}};
+    at_ = {pair, level, 0, {}, {}};
     spent_before_ = spent_;
 }
 
 std::optional<Cut> Budget::cut() const {
     if (!refused()) return std::nullopt;
-    if (!ended_) return Cut{-1, 0, 0, counted_};
-    return Cut{at_.pair, at_.level, spent_ - spent_before_, counted_};
+    if (!ended_) return Cut{-1, 0, 0, counted_, answered_};
+    return Cut{at_.pair, at_.level, spent_ - spent_before_, counted_, answered_};
 }
 
 bool Budget::fits(std::uint64_t tests) {
@@ -118,6 +118,34 @@ bool Budget::keeps_level(std::uint64_t more_pairs) {
 void Budget::reserve(std::uint64_t node_pairs) {
     node_pairs_ = node_pairs;
     if (counted_) limit_ = test_limit(node_pairs);
+}
+
+void Budget::divide(std::uint64_t node_pairs) {
+    if (deadline_ && deadline_->pair_cost() > 0) {
+        divided_ = true;
+        deadline_->divide(node_pairs);
+    } else if (!until_ && counted_ && counted_->pair_cost != 0) {
+        divided_ = true;
+        undivided_ = counted_;
+        reserve(node_pairs);
+        const std::uint64_t left = counted_->quota - std::min(counted_->quota, used());
+        count({0, used() + std::min(count_left(), left / 2), 0, counted_->level_cost});
+    }
+}
+
+std::uint64_t Budget::join() {
+    if (until_) return until_->answered.value_or(no_limit);
+    if (!divided_) return no_limit;
+    divided_ = false;
+    if (deadline_) return deadline_->join(work());
+    const double left =
+        static_cast<double>(undivided_->quota - std::min(undivided_->quota, used()));
+    return static_cast<std::uint64_t>(left / undivided_->pair_cost);
+}
+
+void Budget::answer_only(std::uint64_t node_pairs) {
+    answered_ = node_pairs;
+    refused_ = true;
 }
 
 void Budget::expect(const Pace& pace) {

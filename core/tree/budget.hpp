@@ -30,6 +30,8 @@ struct Cut {
     std::int32_t level = 0;   ///< in the making; one beyond the leaves for the true shapes
     std::uint64_t tests = 0;  ///< node tests of that level, all lost
     std::optional<Counted> counted = {};  ///< nothing where the clock alone decided
+    /// Node pairs that were answered at most, where levels were stored and not all were answered.
+    std::optional<std::uint64_t> answered = {};
     friend bool operator==(const Cut&, const Cut&) = default;
 };
 
@@ -81,6 +83,14 @@ class Budget {
     /// The number of node pairs that will have to be modelled and answered.
     void reserve(std::uint64_t node_pairs);
 
+    /// Where what detection finds is stored first (Organisation::stored): keeps half of what is
+    /// left for what follows, at least the cost of so many node pairs, and reserves nothing else.
+    void divide(std::uint64_t node_pairs);
+    /// Ends that. Returns how many node pairs can be modelled and answered.
+    [[nodiscard]] std::uint64_t join();
+    /// That so many node pairs were allowed, and that it was not enough for all that was found.
+    void answer_only(std::uint64_t node_pairs);
+
     /// On a clock: begins to measure how long node tests take, which are expected to take what
     /// earlier frames measured; and what follows the levels, of which the reserve is made.
     void expect(const Pace& pace);
@@ -123,7 +133,9 @@ class Budget {
     static constexpr std::uint64_t no_limit = (std::numeric_limits<std::uint64_t>::max)();
 
     std::optional<Deadline> deadline_;
-    std::optional<Counted> counted_;  ///< in force
+    std::optional<Counted> counted_;    ///< in force
+    std::optional<Counted> undivided_;  ///< while divided
+    std::optional<std::uint64_t> answered_;
     std::optional<Cut> until_;
     std::uint64_t node_pairs_ = 0;
     std::uint64_t limit_ = no_limit;  ///< of tests: the quota less what the node pairs reserve
@@ -134,6 +146,7 @@ class Budget {
     std::uint64_t skips_ = 0;
     Cut at_;                          ///< pair and level in the making
     std::uint64_t spent_before_ = 0;  ///< them
+    bool divided_ = false;
     bool refused_ = false;
     bool ended_ = false;
 };

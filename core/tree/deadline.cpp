@@ -1,6 +1,7 @@
 #include "lodlab/core/tree/deadline.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace lod {
 namespace {
@@ -48,6 +49,25 @@ void Deadline::levels_done(const Work& done) {
     read(done);
     levels_end_ = last_;
     pairs_at_end_ = done.node_pairs;
+}
+
+void Deadline::divide(std::uint64_t node_pairs) {
+    const auto left = static_cast<double>(this->left().count());
+    const double least = static_cast<double>(node_pairs) * pair_time_;
+    // More than all that is left keeps no test either.
+    const double kept = std::clamp((std::max)(0.5 * left, least), 0.0, (std::max)(0.0, left));
+    kept_ = std::chrono::nanoseconds(static_cast<std::int64_t>(kept));
+    end_ -= kept_;
+    undivided_pair_time_ = std::exchange(pair_time_, 0.0);
+    next_reading_ = 0;
+}
+
+std::uint64_t Deadline::join(const Work& done) {
+    end_ += std::exchange(kept_, {});
+    pair_time_ = undivided_pair_time_;
+    read({done.tests, 0});
+    const auto left = static_cast<double>((end_ - last_).count());
+    return left > 0 ? static_cast<std::uint64_t>(left / pair_time_) : 0;
 }
 
 Pace Deadline::next_pace() const {

@@ -55,6 +55,12 @@ class Deadline {
     /// doubles or halves, for a frame may have been preempted.
     [[nodiscard]] Pace next_pace() const;
 
+    /// Keeps half of the time left for what follows, at least what so many node pairs take, and
+    /// reserves nothing else until `join`.
+    void divide(std::uint64_t node_pairs);
+    /// Goes on to the end. Returns how many node pairs there is time for.
+    [[nodiscard]] std::uint64_t join(const Work& done);
+
     /// Whether the time for so many tests more is there. Looks at the clock only where it is near.
     [[nodiscard]] bool fits(std::uint64_t tests, const Work& done);
     /// Whether it is over, less what is reserved. Looks at the clock only where it is near.
@@ -85,9 +91,11 @@ class Deadline {
 
     const Clock* clock_;
     std::chrono::nanoseconds end_;
-    std::chrono::nanoseconds last_;  ///< the latest reading
-    double pair_time_;               ///< [ns]
-    double next_reading_ = 0;        ///< of tests done
+    std::chrono::nanoseconds last_;    ///< the latest reading
+    double pair_time_;                 ///< [ns]
+    std::chrono::nanoseconds kept_{};  ///< while divided
+    double undivided_pair_time_ = 0;
+    double next_reading_ = 0;  ///< of tests done
     std::uint64_t pairs_at_reading_ = 0;
     Pace expected_;
     double measured_ = 0;  ///< [ns a test]; 0: nothing yet

@@ -177,6 +177,8 @@ Json json_of(const lod::FrameSettings& settings) {
               {"most_impacts", settings.sweep.most_impacts}}}};
     if (settings.priority == lod::Priority::perceptual)
         json["viewer"] = viewer_json(settings.viewer);
+    if (settings.organisation != lod::Organisation::interleaved)
+        json["organisation"] = lod::name_of(settings.organisation);
     return json;
 }
 
@@ -235,6 +237,8 @@ lod::FrameSettings settings_from(const Json& json) {
             : lod::ContactModel::centre_line;  // traces from before there was a choice
     settings.point_model = choice<lod::PointModel>(json.at("point_model"));
     settings.priority = choice<lod::Priority>(json.at("priority"));
+    if (json.contains("organisation"))
+        settings.organisation = choice<lod::Organisation>(json.at("organisation"));
     if (json.contains("viewer")) settings.viewer = viewer_from(json.at("viewer"));
     if (!(settings.time_step > 0 && settings.time_step <= 1))
         throw std::invalid_argument("time_step is out of range");
@@ -249,6 +253,7 @@ Json json_of(const std::optional<lod::Cut>& cut) {
                            {"quota", cut->counted->quota},
                            {"pair_cost", cut->counted->pair_cost},
                            {"level_cost", cut->counted->level_cost}};
+    if (cut->answered) json["answered"] = *cut->answered;
     return json;
 }
 
@@ -257,6 +262,8 @@ std::optional<lod::Cut> cut_from(const Json& json) {
     lod::Cut cut{io::whole_number<std::int32_t>(json.at("pair")),
                  io::whole_number<std::int32_t>(json.at("level")),
                  io::whole_number<std::uint64_t>(json.at("tests"))};
+    if (json.contains("answered"))
+        cut.answered = io::whole_number<std::uint64_t>(json.at("answered"));
     if (!json.contains("counted")) return cut;
     const Json& counted = json.at("counted");
     cut.counted = {io::whole_number<std::uint64_t>(counted.at("from")),

@@ -20,9 +20,9 @@ namespace lod {
 struct Viewer {
     using Point = std::array<double, 3>;
 
-    Point fixation{};          ///< the point looked at [m]
+    Point fixation{};               ///< the point looked at [m]
     std::optional<Point> eye = {};  ///< nothing: `distance` from the fixation point along z
-    double distance = 10;      ///< [m], > 0: a scene of some metres fills the view
+    double distance = 10;           ///< [m], > 0: a scene of some metres fills the view
     /// Angle from the fixation point, as a tangent, at which sensitivity is half: 6 degrees, about
     /// the width of the part of the eye that sees sharply.
     double half_sensitivity = 0.1;

@@ -137,6 +137,10 @@ TEMPLATE_TEST_CASE_SIG("a warm frame allocates nothing under any policy", "[allo
         CHECK(allocations_of(bodies, start, {.priority = priority}, storage, 30) > 0);
         CHECK(allocations_of(bodies, start, {.priority = priority}, storage, 30) == 0);
     }
+    const FrameSettings stores{.organisation = Organisation::stored};
+    FrameStorage<Dim> storage;
+    CHECK(allocations_of(bodies, start, stores, storage, 30) > 0);
+    CHECK(allocations_of(bodies, start, stores, storage, 30) == 0);
 }
 
 TEMPLATE_TEST_CASE_SIG("a moving crowd allocates nothing once warm", "[allocation]",

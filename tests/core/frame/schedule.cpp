@@ -184,6 +184,8 @@ TEMPLATE_TEST_CASE_SIG("a frame that the clock cut anywhere is repeated under ev
     for (const Priority priority : policies)
         for (const int halt : {1000, 5, 2})
             for (auto quota = 0ns; quota < 9000ns; quota += 151ns) {
+                const auto organisation = static_cast<Organisation>(quota.count() % 2);
+                const FrameSettings settings{.priority = priority, .organisation = organisation};
                 const HaltingClock clock(halt);
                 std::vector<Body<Dim>> first = start;
                 std::vector<Body<Dim>> again = start;
@@ -191,10 +193,9 @@ TEMPLATE_TEST_CASE_SIG("a frame that the clock cut anywhere is repeated under ev
                 FrameStorage<Dim> replayed;
                 for (int frame = 0; frame < 3; ++frame) {  // trade remembers
                     Budget budget = Budget::deadline(clock, quota, frame * 20ns);
-                    const auto& record = advance<Dim>(first, {.priority = priority}, budget, live);
+                    const auto& record = advance<Dim>(first, settings, budget, live);
                     Budget until = record.cut ? Budget::until(*record.cut) : Budget::unlimited();
-                    const auto& repeated =
-                        advance<Dim>(again, {.priority = priority}, until, replayed);
+                    const auto& repeated = advance<Dim>(again, settings, until, replayed);
                     REQUIRE(state_hash<Dim>(again) == state_hash<Dim>(first));
                     REQUIRE(levels_of(repeated) == levels_of(record));
                     REQUIRE(repeated.tests == record.tests);
@@ -271,4 +272,60 @@ TEMPLATE_TEST_CASE_SIG("a level costs the heap no more than the logarithm of wha
         CHECK(record.spending.levels.finished == static_cast<std::uint64_t>(2 * pairs));
         CHECK(asked == 2 * pairs);
     }
+}
+
+TEMPLATE_TEST_CASE_SIG("stored levels are answered as interleaved ones where there is enough",
+                       "[schedule]", ((int Dim), Dim), 2, 3) {
+    const auto bodies = heap<Dim>(305);
+    for (const Priority priority : policies)
+        for (const Budget& enough :
+             {Budget::unlimited(), Budget::node_tests(1'000'000, 3.0), Budget::node_tests(500)}) {
+            auto one = bodies;
+            auto other = bodies;
+            FrameStorage<Dim> storage;
+            Budget budget = enough;
+            advance<Dim>(one, {.priority = priority}, budget, storage);
+            FrameStorage<Dim> stored;
+            Budget again = enough;
+            advance<Dim>(other, {.priority = priority, .organisation = Organisation::stored}, again,
+                         stored);
+            CHECK(state_hash<Dim>(one) == state_hash<Dim>(other));
+        }
+}
+
+TEMPLATE_TEST_CASE_SIG("stored levels keep the quota, are whole, and play again", "[schedule]",
+                       ((int Dim), Dim), 2, 3) {
+    const auto bodies = heap<Dim>(306, 20);
+    FrameStorage<Dim> storage;
+    Budget unlimited = Budget::unlimited();
+    detect<Dim>(bodies, {}, unlimited, storage);
+    const auto alone = levels_alone(bodies, storage.candidates);
+    std::uint64_t at_entry = 0;
+    for (const auto& levels : alone) at_entry += levels[0].pairs.size();
+    FrameStorage<Dim> replayed;
+    int answered = 0;
+    int deeper = 0;
+    for (const Priority priority : policies)
+        for (std::uint64_t quota = 0; quota < 6000; quota += 171) {
+            const FrameSettings settings{.priority = priority,
+                                         .organisation = Organisation::stored};
+            Budget budget = Budget::node_tests(quota, 10);
+            const FrameRecord<Dim> record = detect<Dim>(bodies, settings, budget, storage);
+            REQUIRE(fronts_are_whole(bodies, storage, alone));
+            std::uint64_t node_pairs = 0;
+            for (const ListedFront& front : storage.fronts.of_pair)
+                node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+            int deepest = 0;
+            for (const PairRecord& pair : record.pairs) deepest = std::max(deepest, pair.level);
+            // A level that proves pairs apart is answered even beyond.
+            REQUIRE((record.tests + 10 * node_pairs <= quota || node_pairs <= at_entry));
+            answered += record.cut && record.cut->answered ? 1 : 0;
+            deeper += deepest > 0 ? 1 : 0;
+            Budget again = record.cut ? Budget::until(*record.cut) : Budget::unlimited();
+            const auto& repeated = detect<Dim>(bodies, settings, again, replayed);
+            REQUIRE(repeated.cut == record.cut);
+            REQUIRE(levels_of(repeated) == levels_of(record));
+        }
+    CHECK(answered > 10);
+    CHECK(deeper > 10);
 }
