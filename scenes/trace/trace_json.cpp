@@ -159,22 +159,22 @@ Json viewer_json(const lod::Viewer& viewer) {
 
 Json json_of(const lod::FrameSettings& settings) {
     Json json{{"time_step", settings.time_step},
-            {"deepest_level", settings.deepest_level},
-            {"response", lod::name_of(settings.response)},
-            {"contact_model", lod::name_of(settings.contact_model)},
-            {"point_model", lod::name_of(settings.point_model)},
-            {"priority", lod::name_of(settings.priority)},
-            {"finest",
-             {{"level", lod::name_of(settings.finest.level)},
-              {"most_pairs", settings.finest.most_pairs},
-              {"cost", settings.finest.cost},
-              {"tolerance", settings.finest.tolerance}}},
-            {"sweep",
-             {{"on", settings.sweep.on},
-              {"deepest_level", settings.sweep.deepest_level},
-              {"exact", settings.sweep.exact},
-              {"tolerance", settings.sweep.tolerance},
-              {"most_impacts", settings.sweep.most_impacts}}}};
+              {"deepest_level", settings.deepest_level},
+              {"response", lod::name_of(settings.response)},
+              {"contact_model", lod::name_of(settings.contact_model)},
+              {"point_model", lod::name_of(settings.point_model)},
+              {"priority", lod::name_of(settings.priority)},
+              {"finest",
+               {{"level", lod::name_of(settings.finest.level)},
+                {"most_pairs", settings.finest.most_pairs},
+                {"cost", settings.finest.cost},
+                {"tolerance", settings.finest.tolerance}}},
+              {"sweep",
+               {{"on", settings.sweep.on},
+                {"deepest_level", settings.sweep.deepest_level},
+                {"exact", settings.sweep.exact},
+                {"tolerance", settings.sweep.tolerance},
+                {"most_impacts", settings.sweep.most_impacts}}}};
     if (settings.priority == lod::Priority::perceptual)
         json["viewer"] = viewer_json(settings.viewer);
     if (settings.organisation != lod::Organisation::interleaved)

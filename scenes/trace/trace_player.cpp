@@ -119,11 +119,30 @@ void TracePlayer<Dim>::check_states(std::int64_t frame, const std::vector<State<
             throw Divergence(trace_, {frame, Stage::state, i});
 }
 
+/// Makes the runner stand at a frame that it does not come to by itself. With Priority::trade what
+/// pairs held in the frame before counts, so all frames before it are run.
+template <int Dim>
+void TracePlayer<Dim>::lead_runner_to(std::int64_t frame) {
+    if (trace_.head().settings.priority != lod::Priority::trade) {
+        runner_.put(frame, states_.back());
+        return;
+    }
+    runner_.put(0, start_);
+    while (runner_.frame() < frame) {
+        const TraceInterval before = trace_.interval(runner_.frame());
+        for (const FrameMark& told : before.frames) {
+            if (runner_.frame() == frame) return;
+            (void)runner_.next(told.cut);
+            ++frames_run_;
+        }
+    }
+}
+
 /// Runs the first frame of the interval that has not been run, and compares it.
 template <int Dim>
 void TracePlayer<Dim>::run_next() {
     const std::int64_t frame = interval_.first + static_cast<std::int64_t>(states_.size()) - 1;
-    if (runner_.frame() != frame || step_of_ != frame - 1) runner_.put(frame, states_.back());
+    if (runner_.frame() != frame || step_of_ != frame - 1) lead_runner_to(frame);
     const FrameMark& told = interval_.frames[place(frame)];
     step_ = runner_.next(told.cut);
     step_of_ = -1;  // until it is known to be right
@@ -213,6 +232,12 @@ std::vector<lod::Body<Dim>> bodies_at_end(const Trace& trace, std::vector<lod::B
                          trace.source() +
                              ": a trace of version 2 does not tell how it ends; write it anew by "
                              "lodlab simulate --replay OLD --trace NEW");
+    if (trace.head().settings.priority == lod::Priority::trade)
+        throw lod::Error(
+            lod::ErrorKind::input_refused,
+            trace.source() +
+                ": a run scheduled by trade does not go on from its trace, for that "
+                "does not tell what pairs held; choose another policy, or run it anew");
     const std::vector<State<Dim>> told = told_states<Dim>(trace, end, bodies.size());
     for (std::size_t i = 0; i < bodies.size(); ++i) put(told[i], bodies[i]);
     const TraceInterval last = trace.interval(trace.frames() - 1);

@@ -40,7 +40,9 @@ class Divergence : public lod::Error {
 ///
 /// A seek runs the frames from the key frame before, at most TraceHead::key_frames, fewer where it
 /// has been there since; so going back frame by frame runs each frame once, as going
-/// forward does. It holds the bodies of all frames from one key frame to the next.
+/// forward does. Only with Priority::trade, where a frame depends on the one before by more than
+/// the bodies, a seek runs all frames from the start. It holds the bodies of all frames from one
+/// key frame to the next.
 template <int Dim>
 class TracePlayer {
   public:
@@ -78,6 +80,7 @@ class TracePlayer {
   private:
     void load(std::int64_t frame);
     void run_next();
+    void lead_runner_to(std::int64_t frame);
     void stand_at(std::int64_t frame);
     void check_end();
     [[nodiscard]] std::size_t place(std::int64_t frame) const;
@@ -104,7 +107,7 @@ template <int Dim>
 
 /// The bodies as a trace leaves them, for a run that goes on from there: they are those of one that
 /// never stopped. Throws lod::Error (input refused) when the bodies are not those of the trace at
-/// its start, or the trace is damaged or of version 2.
+/// its start, or the trace is damaged, of version 2, or of a run scheduled by Priority::trade.
 template <int Dim>
 [[nodiscard]] std::vector<lod::Body<Dim>> bodies_at_end(
     const Trace& trace, std::vector<lod::Body<Dim>> bodies_at_start);

@@ -153,3 +153,53 @@ TEST_CASE("key frames come more often where there are many bodies, or as they ar
     CHECK(key_frames(100'000, 0) == 10);
     CHECK(key_frames(10'000, 7) == 7);
 }
+
+TEST_CASE("a trace says which levels were left out and who looked on") {
+    const TemporaryFolder folder;
+    scenes::RunOptions options = budgeted(200);
+    options.settings.priority = lod::Priority::perceptual;
+    options.settings.viewer.fixation = {1, 0.1, 0};
+    options.settings.viewer.eye = lod::Viewer::Point{2, 3, 4};
+    options.settings.viewer.distractor = 0.7;
+    const scenes::Run<2> run = scenes::run(crossing(), options);
+    scenes::write_trace<2>(folder / "t.json", "crossing", crossing(), run);
+    const scenes::Trace trace = scenes::read_trace(folder / "t.json");
+    const lod::FrameSettings& settings = trace.head().settings;
+    CHECK(settings.viewer.fixation == lod::Viewer::Point{1, 0.1, 0});
+    CHECK(settings.viewer.eye == lod::Viewer::Point{2, 3, 4});
+    CHECK(settings.viewer.distractor == 0.7);
+    int counted = 0;
+    for (std::int64_t frame = 0; frame < 200; ++frame) {
+        const auto interval = trace.interval(frame);
+        const auto& told = interval.frames[static_cast<std::size_t>(frame - interval.first)];
+        CHECK(told.cut == run.steps[static_cast<std::size_t>(frame)].record.cut);
+        counted += told.cut && told.cut->counted ? 1 : 0;
+    }
+    CHECK(counted > 0);
+    CHECK(scenes::replay<2>(trace, crossing()).state_hash == run.state_hash);
+}
+
+TEST_CASE(
+    "a run under any policy and organisation is sought in and played again to the same bits") {
+    for (const lod::Priority priority : lod::choices<lod::Priority>())
+        for (const lod::Organisation organisation : lod::choices<lod::Organisation>()) {
+            const TemporaryFolder folder;
+            scenes::RunOptions options = budgeted(250);
+            options.settings.priority = priority;
+            options.settings.organisation = organisation;
+            const scenes::Run<2> run = scenes::run(crossing(), options);
+            scenes::write_trace<2>(folder / "t.json", "crossing", crossing(), run,
+                                   {.key_frames = 40});
+            const scenes::Trace trace = scenes::read_trace(folder / "t.json");
+            CHECK(trace.head().settings.organisation == organisation);
+            CHECK(scenes::replay<2>(trace, crossing()).state_hash == run.state_hash);
+            scenes::TracePlayer<2> player(trace, crossing());
+            for (const std::int64_t frame : {173, 30, 250, 81}) {
+                player.seek(frame);
+                CHECK(player.state_hash() ==
+                      run.steps[static_cast<std::size_t>(frame - 1)].state_hash);
+            }
+            if (priority == lod::Priority::trade)
+                CHECK_THROWS_AS(scenes::bodies_at_end<2>(trace, crossing()), lod::Error);
+        }
+}
