@@ -94,6 +94,7 @@ class Budget {
     /// On a clock: begins to measure how long node tests take, which are expected to take what
     /// earlier frames measured; and what follows the levels, of which the reserve is made.
     void expect(const Pace& pace);
+    /// Says that the levels are done: what follows is measured.
     void levels_done();
     /// What the next frame on this clock should expect; nothing without a clock.
     [[nodiscard]] std::optional<Pace> next_pace() const;

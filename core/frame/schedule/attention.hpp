@@ -18,6 +18,7 @@ namespace lod {
 /// angle from the point of fixation, among distractors and behind others; every number here is
 /// ours, none was tested by observers. World frame; the plane lies at z = 0.
 struct Viewer {
+    /// x, y, z [m].
     using Point = std::array<double, 3>;
 
     Point fixation{};               ///< the point looked at [m]
