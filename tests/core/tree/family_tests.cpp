@@ -149,6 +149,20 @@ TEMPLATE_TEST_CASE_SIG("points on one another meet on every way of computing", "
     check_all_paths(body, body);
 }
 
+TEMPLATE_TEST_CASE_SIG("a border collides truly where leaves reach it, and perhaps above them",
+                       "[family_tests]", ((int Dim), Dim), 2, 3) {
+    Body<Dim> wall = immovable<Dim>();
+    wall.tree = std::make_shared<const SphereTree<Dim>>(half_space<Dim>(planar<Dim>(1, 0)));
+    Body<Dim> box = planar_body<Dim>(1, 1);
+    box.tree = box_tree<Dim>(2, 1, 2);
+    const std::vector<Front> levels = traverse_levels(wall, box);
+    REQUIRE(levels.size() == 3);
+    CHECK(levels[0].verdict == Verdict::possible);
+    CHECK(levels[1].verdict == Verdict::possible);
+    CHECK(levels[2].verdict == Verdict::true_collision);
+    CHECK(levels[2].finest);
+}
+
 TEMPLATE_TEST_CASE_SIG("without its copy in single precision a tree is tested in double",
                        "[family_tests]", ((int Dim), Dim), 2, 3) {
     Random random(63);
