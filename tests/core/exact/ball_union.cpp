@@ -56,9 +56,9 @@ class Counting final : public PartVisitor<Dim> {
 
 /// Passes on to another union what is asked of it, and counts the pairs that a question looks at.
 template <int Dim>
-class Counted final : public ExactShape<Dim> {
+class CountedUnion final : public ExactShape<Dim> {
   public:
-    explicit Counted(const Balls<Dim>& balls) : balls_(balls) {}
+    explicit CountedUnion(const Balls<Dim>& balls) : balls_(balls) {}
     double radius() const override { return balls_.radius(); }
     std::uint64_t hash() const override { return balls_.hash(); }
     std::span<const Vector<Dim>> witnesses() const override { return balls_.witnesses(); }
@@ -66,7 +66,7 @@ class Counted final : public ExactShape<Dim> {
     void visit_pairs(const ExactShape<Dim>& b, const Placement<Dim>& b_in_a,
                      PartVisitor<Dim>& visitor) const override {
         Looking looking(visitor);
-        balls_.visit_pairs(dynamic_cast<const Counted&>(b).balls_, b_in_a, looking);
+        balls_.visit_pairs(dynamic_cast<const CountedUnion&>(b).balls_, b_in_a, looking);
         looks = looking.looks;
     }
     void keep_corners(const Vector<Dim>&, double, std::vector<Contact<Dim>>&) const override {}
@@ -136,8 +136,8 @@ TEMPLATE_TEST_CASE_SIG("the pairs of balls that nearly touch are found in n step
 TEMPLATE_TEST_CASE_SIG("that unions overlap is known from one pair, however many do", "[exact]",
                        ((int Dim), Dim), 2, 3) {
     for (const std::size_t count : {64, 128, 256}) {
-        const auto nest =
-            std::make_shared<Counted<Dim>>(Balls<Dim>(count, Sphere<Dim>{Vector<Dim>::Zero(), 1}));
+        const auto nest = std::make_shared<CountedUnion<Dim>>(
+            Balls<Dim>(count, Sphere<Dim>{Vector<Dim>::Zero(), 1}));
         Body<Dim> body;
         body.exact = nest;
         CHECK(exactly_overlap(body, body));
