@@ -156,7 +156,7 @@ TEST_CASE("key frames come more often where there are many bodies, or as they ar
 
 TEST_CASE("a trace says which levels were left out and who looked on") {
     const TemporaryFolder folder;
-    scenes::RunOptions options = budgeted(200);
+    scenes::RunOptions options = budgeted(500);
     options.settings.priority = lod::Priority::perceptual;
     options.settings.viewer.fixation = {1, 0.1, 0};
     options.settings.viewer.eye = lod::Viewer::Point{2, 3, 4};
@@ -169,7 +169,7 @@ TEST_CASE("a trace says which levels were left out and who looked on") {
     CHECK(settings.viewer.eye == lod::Viewer::Point{2, 3, 4});
     CHECK(settings.viewer.distractor == 0.7);
     int counted = 0;
-    for (std::int64_t frame = 0; frame < 200; ++frame) {
+    for (std::int64_t frame = 0; frame < 500; ++frame) {
         const auto interval = trace.interval(frame);
         const auto& told = interval.frames[static_cast<std::size_t>(frame - interval.first)];
         CHECK(told.cut == run.steps[static_cast<std::size_t>(frame)].record.cut);
@@ -184,7 +184,7 @@ TEST_CASE(
     for (const lod::Priority priority : lod::choices<lod::Priority>())
         for (const lod::Organisation organisation : lod::choices<lod::Organisation>()) {
             const TemporaryFolder folder;
-            scenes::RunOptions options = budgeted(250);
+            scenes::RunOptions options = budgeted(500);
             options.settings.priority = priority;
             options.settings.organisation = organisation;
             const scenes::Run<2> run = scenes::run(crossing(), options);
@@ -194,7 +194,7 @@ TEST_CASE(
             CHECK(trace.head().settings.organisation == organisation);
             CHECK(scenes::replay<2>(trace, crossing()).state_hash == run.state_hash);
             scenes::TracePlayer<2> player(trace, crossing());
-            for (const std::int64_t frame : {173, 30, 250, 81}) {
+            for (const std::int64_t frame : {373, 30, 500, 281}) {
                 player.seek(frame);
                 CHECK(player.state_hash() ==
                       run.steps[static_cast<std::size_t>(frame - 1)].state_hash);
