@@ -57,9 +57,7 @@ class Taker {
         result_.frames = static_cast<std::int64_t>(tally_.steps());
         return std::move(result_);
     }
-    void warn(const scenes::Scene& scene) const {
-        for (const std::string& line : watch_.warnings(scene)) remark(line);
-    }
+    void warn(const scenes::Scene& scene) const { remark_all(watch_.warnings(scene)); }
 
   private:
     const Options& options_;

@@ -160,7 +160,6 @@ SphereTree<Dim> lay_out(std::span<const TreeNode<Dim>> nodes) {
             tree.normal[d].push_back(node.mean_normal[static_cast<int>(d)]);
         }
         tree.radius.push_back(node.sphere.radius);
-        tree.extent = std::max(tree.extent, node.sphere.centre.stableNorm() + node.sphere.radius);
         const auto count = static_cast<std::int32_t>(node.children.size());
         tree.first_child.push_back(next_child);
         tree.child_count.push_back(count);
@@ -168,9 +167,19 @@ SphereTree<Dim> lay_out(std::span<const TreeNode<Dim>> nodes) {
             tree.parent[static_cast<std::size_t>(next_child + c)] = static_cast<std::int32_t>(i);
         next_child += count;
     }
+    renew(tree);
+    return tree;
+}
+
+template <int Dim>
+void renew(SphereTree<Dim>& tree) {
+    tree.extent = 0;
+    for (int node = 0; node < tree.size(); ++node) {
+        const Sphere<Dim> ball = tree.sphere(node);
+        tree.extent = std::max(tree.extent, ball.centre.stableNorm() + ball.radius);
+    }
     tree.single = single_of(tree);
     tree.level_error = level_errors(tree);
-    return tree;
 }
 
 template <int Dim>
@@ -195,6 +204,8 @@ template struct SphereTree<2>;
 template struct SphereTree<3>;
 template SphereTree<2> lay_out(std::span<const TreeNode<2>>);
 template SphereTree<3> lay_out(std::span<const TreeNode<3>>);
+template void renew(SphereTree<2>&);
+template void renew(SphereTree<3>&);
 template SphereTree<2> half_space(const Vector<2>&);
 template SphereTree<3> half_space(const Vector<3>&);
 template SphereTree<2> single_sphere(const Sphere<2>&);

@@ -93,6 +93,11 @@ struct TreeNode {
 template <int Dim>
 [[nodiscard]] SphereTree<Dim> lay_out(std::span<const TreeNode<Dim>> nodes);
 
+/// Sets anew what lay_out takes from centres and radii (extent, single, level_error). Call it where
+/// these were changed afterwards: else distance tests still see the old ones.
+template <int Dim>
+void renew(SphereTree<Dim>& tree);
+
 /// A tree of a single node, for bodies that are balls.
 template <int Dim>
 [[nodiscard]] SphereTree<Dim> single_sphere(const Sphere<Dim>& sphere);

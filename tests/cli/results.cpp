@@ -62,7 +62,7 @@ TEST_CASE("a policy decides what a budget is spent on, and in a trace it is kept
     const Scratch scratch;
     const std::string trace = scratch / "trace.json";
     const std::vector<std::string> run{
-        "simulate", "gears_in_a_box", "--duration", "0.5", "--budget", "60", "--json"};
+        "simulate", "gas:60", "--duration", "0.5", "--budget", "1000", "--json"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), run.begin(), run.end());
         return result(more)["state_hash"];
@@ -71,7 +71,7 @@ TEST_CASE("a policy decides what a budget is spent on, and in a trace it is kept
     const Json seen = with({"--policy", "perceptual", "--fixation", "0.3,-0.2", "--trace", trace});
     CHECK(seen != with({"--policy", "perceptual", "--fixation", "-2,1"}));
     CHECK(seen ==
-          result({"simulate", "gears_in_a_box", "--replay", trace, "--json"})["state_hash"]);
+          result({"simulate", "gas:60", "--replay", trace, "--json"})["state_hash"]);
     for (const char* point : {"1", "1,", "1,2,3,4", "a,b", "nan,0", "1e7,0"}) {
         const Outcome refused = lodlab({"simulate", "gears_in_a_box", "--fixation", point});
         CHECK(refused.code == 2);

@@ -15,6 +15,7 @@ using Vec = lod::Vector<2>;
 Tree spoiled(const Tree& sound, int leaf) {
     Tree tree = sound;
     tree.radius[Tree::index(leaf)] *= 0.6;
+    lod::renew(tree);
     return tree;
 }
 // end of listing

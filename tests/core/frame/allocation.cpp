@@ -166,8 +166,8 @@ TEMPLATE_TEST_CASE_SIG("a moving crowd allocates nothing once warm", "[allocatio
         }
         return allocations - before;
     };
-    CHECK(frames(0, 6000) > 0);  // until it has seen its greatest crowds
-    CHECK(frames(6000, 1000) == 0);
+    CHECK(frames(0, 9000) > 0);  // until it has seen its greatest crowds
+    CHECK(frames(9000, 1000) == 0);
 }
 
 TEMPLATE_TEST_CASE_SIG("a single frame warms up for its like", "[allocation]", ((int Dim), Dim), 2,

@@ -285,3 +285,25 @@ TEMPLATE_TEST_CASE_SIG("whether nodes of a level overlap is what the front of th
     CHECK(apart > 30);
     CHECK(apart < 270);
 }
+
+TEMPLATE_TEST_CASE_SIG("a ball that is changed counts once its tree is renewed", "[traversal]",
+                       ((int Dim), Dim), 2, 3) {
+    // Two leaves of radius 1 in a root of 2; the left one grows to 1.5, so that it now reaches a
+    // ball of 1 whose centre is 2.4 further left.
+    const std::vector<TreeNode<Dim>> nodes{{{Vector<Dim>::Zero(), 3}, Vector<Dim>::Zero(), {1, 2}},
+                                           {{-Vector<Dim>::Unit(0), 1}, Vector<Dim>::Zero(), {}},
+                                           {{Vector<Dim>::Unit(0), 1}, Vector<Dim>::Zero(), {}}};
+    auto tree = std::make_shared<SphereTree<Dim>>(lay_out<Dim>(nodes));
+    const auto ball =
+        std::make_shared<SphereTree<Dim>>(single_sphere<Dim>({Vector<Dim>::Zero(), 1}));
+    const auto at_leaves = [&] {
+        return traverse_levels(with_tree<Dim>(tree), with_tree<Dim>(ball, {-3.4, 0}))
+            .back()
+            .pairs.size();
+    };
+    CHECK(at_leaves() == 0);
+    tree->radius[1] = 1.5;
+    renew(*tree);
+    CHECK(at_leaves() == 1);
+    CHECK(tree->extent == Approx(3));
+}
