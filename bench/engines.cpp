@@ -5,8 +5,6 @@
 //        settings
 // Times are medians of the thread's own processor time, all engines in one run.
 
-#include <ctime>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -17,6 +15,7 @@
 #include <vector>
 
 #include "bench/peers.hpp"
+#include "bench/thread_clock.hpp"
 #include "bench/timing.hpp"
 #include "lodlab/core/frame/frame.hpp"
 #include "lodlab/core/math/trigonometry.hpp"
@@ -98,9 +97,7 @@ void advance(const Engine& engine, bench::Peer& world) {
 }
 
 double thread_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+    return std::chrono::duration<double>(bench::ThreadClock().now()).count();
 }
 
 struct Taken {

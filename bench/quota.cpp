@@ -3,15 +3,13 @@
 // The clock is the thread's own processor time. Frames in which the operating system took the
 // processor away (ru_nivcsw) are counted apart.
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <vector>
 
+#include "bench/thread_clock.hpp"
 #include "lodlab/core/frame/frame.hpp"
 #include "lodlab/scenes/crowd/crowds.hpp"
 #include "lodlab/scenes/run.hpp"
@@ -20,22 +18,6 @@
 namespace {
 
 constexpr int frames = 300;
-
-/// The processor time of this thread.
-class ThreadClock final : public lod::Clock {
-  public:
-    [[nodiscard]] std::chrono::nanoseconds now() const override {
-        timespec now{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-        return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
-    }
-};
-
-long switches() {
-    rusage usage{};
-    getrusage(RUSAGE_THREAD, &usage);
-    return usage.ru_nivcsw;
-}
 
 double at(std::vector<double> values, double share) {
     if (values.empty()) return 0;
@@ -55,11 +37,11 @@ struct Frames {
 template <int Dim>
 Frames run(std::vector<lod::Body<Dim>> bodies, const lod::FrameSettings& settings,
            std::chrono::nanoseconds quota) {
-    const ThreadClock clock;
+    const bench::ThreadClock clock;
     lod::FrameStorage<Dim> storage;
     Frames result;
     for (int frame = 0; frame < frames; ++frame) {
-        const long before = switches();
+        const long before = bench::preemptions();
         const auto start = clock.now();
         lod::Budget budget = quota.count() > 0
                                  ? lod::Budget::deadline(clock, quota, scenes::time_of_a_node_pair)
@@ -72,7 +54,7 @@ Frames run(std::vector<lod::Body<Dim>> bodies, const lod::FrameSettings& setting
             result.levels += pair.level;
             result.pairs += 1;
         }
-        if (switches() != before)
+        if (bench::preemptions() != before)
             ++result.preempted;
         else if (frame > 0)  // the first one allocates
             result.microseconds.push_back(1e-3 * static_cast<double>(taken.count()));

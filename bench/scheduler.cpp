@@ -1,17 +1,15 @@
 // Is a quota on a clock kept where a crowd falls to one place, and what does the scheduler cost?
 // Usage: bench_scheduler [BODIES [MILLISECONDS [FRAMES [POLICY]]]]
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "bench/thread_clock.hpp"
 #include "bench/timing.hpp"
 #include "lodlab/core/base/random.hpp"
 #include "lodlab/core/frame/frame.hpp"
@@ -21,22 +19,6 @@
 namespace {
 
 constexpr double time_step = 1.0 / 60;
-
-/// The time that this thread has had: what other processes take does not count.
-class ThreadClock final : public lod::Clock {
-  public:
-    std::chrono::nanoseconds now() const override {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-    }
-};
-
-long preemptions() {
-    rusage usage{};
-    getrusage(RUSAGE_THREAD, &usage);
-    return usage.ru_nivcsw;
-}
 
 /// Stars, gears and Ls on a square that all fly towards its middle.
 std::vector<lod::Body<2>> implosion(int count) {
@@ -88,7 +70,7 @@ struct Figures {
 };
 
 Figures run(int count, double milliseconds, int frames, lod::FrameSettings settings) {
-    const ThreadClock clock;
+    const bench::ThreadClock clock;
     std::vector<lod::Body<2>> bodies = implosion(count);
     lod::FrameStorage<2> storage;
     lod::FrameStorage<2> other;
@@ -104,7 +86,7 @@ Figures run(int count, double milliseconds, int frames, lod::FrameSettings setti
         lod::Budget none = lod::Budget::node_tests(0);
         lod::advance<2>(copy, settings, none, other);
         figures.least_frame.push_back(elapsed(begin));
-        const long before = preemptions();
+        const long before = bench::preemptions();
         begin = clock.now();
         lod::Budget budget = lod::Budget::deadline(clock, quota, std::chrono::nanoseconds(250));
         const auto& record = lod::advance<2>(bodies, settings, budget, storage);
@@ -118,7 +100,7 @@ Figures run(int count, double milliseconds, int frames, lod::FrameSettings setti
             figures.level_sum += pair.level;
             ++figures.colliding;
         }
-        if (preemptions() != before) {
+        if (bench::preemptions() != before) {
             ++figures.preempted;
             continue;
         }
@@ -154,7 +136,7 @@ void measure_heap(int count) {
     lod::FrameStorage<2> storage;
     lod::Budget unlimited = lod::Budget::unlimited();
     lod::detect<2>(dense, {.contact_model = lod::ContactModel::node_normal}, unlimited, storage);
-    const ThreadClock clock;
+    const bench::ThreadClock clock;
     const auto time = [&](lod::Priority priority, lod::Budget budget) {
         const auto begin = clock.now();
         storage.scheduler.refine_all({dense, storage.candidates, storage.world_S, {}, priority, {}},

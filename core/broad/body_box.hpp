@@ -15,7 +15,7 @@ struct BodyBox {
 };
 
 /// The box of a node's ball, wider by what rounding may hide from a distance test, as
-/// PosedTree::rounding has it. Requires: the node was carried.
+/// PosedTree::rounding has it.
 template <int Dim>
 [[nodiscard]] Box<Dim> box_of(const PosedTree<Dim>& posed, int node) {
     const Sphere<Dim> ball = posed.sphere(node);

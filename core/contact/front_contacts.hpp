@@ -58,8 +58,7 @@ struct PosedFront {
 template <int Dim>
 class FrontContacts {
   public:
-    /// Replaces `found`. Requires: the nodes of all pairs were carried, `motion` has its origin in
-    /// A's centre of mass.
+    /// Replaces `found`. Requires: `motion` has its origin in A's centre of mass.
     void model(const PosedFront<Dim>& front, const ContactChoice& choice,
                const PairMotion<Dim>& motion, FrontModel<Dim>& found);
 

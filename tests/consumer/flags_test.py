@@ -3,8 +3,9 @@ lodlab, with compiler flags that the library was not built with. Each must compi
 print and write the same bytes as with no flags at all. What must not compile or link is tried, too.
 
 Usage: flags_test.py --prefix DIR --libdir lib --sources DIR --compilers g++ [clang++ ...]
-                     [--base FLAGS] [--all]
---base are flags that the library itself needs (a sanitizer's); --all tries every flag with every
+                     [--base FLAGS] [--built DIR] [--all]
+--base are flags that the library itself needs (a sanitizer's); DIR holds programs that were built with the
+library itself and no flags of their own, the others are built anew; --all tries every flag with every
 standard and sanitizer, which takes some minutes; without it a choice is tried.
 """
 
@@ -59,6 +60,7 @@ class Consumer:
     def __init__(self, arguments):
         self.sources = pathlib.Path(arguments.sources)
         self.base = shlex.split(arguments.base)
+        self.built = pathlib.Path(arguments.built).resolve() if arguments.built else None
         environment = dict(os.environ)
         folder = f"{arguments.prefix}/{arguments.libdir}/pkgconfig"
         environment["PKG_CONFIG_PATH"] = folder + ":" + environment.get("PKG_CONFIG_PATH", "")
@@ -87,21 +89,31 @@ class Consumer:
                    *flags, "-o", output, *self.libs]
         return subprocess.run(command, capture_output=True, text=True)
 
+    def expected(self, name, compiler):
+        """The outcome without flags."""
+        program = self.built / name if self.built else None
+        if program and program.exists():
+            with tempfile.TemporaryDirectory() as folder:
+                return self.outcome_of(program, folder)
+        return self.outcome(name, compiler, [])
+
     def outcome(self, name, compiler, flags):
         """What the program prints and writes; or a line that begins with an exclamation mark."""
-        with tempfile.TemporaryDirectory() as folder:
-            program = pathlib.Path(folder) / "program"
+        with tempfile.TemporaryDirectory() as building, tempfile.TemporaryDirectory() as folder:
+            program = pathlib.Path(building) / "program"
             built = self.compile(name, compiler, flags, program)
             if built.returncode != 0:
                 return "! does not compile: " + built.stderr.strip()[-2000:]
-            ran = subprocess.run([program], cwd=folder, capture_output=True, text=True,
-                                 env=self.environment)
-            if ran.returncode != 0:
-                return f"! ends with {ran.returncode}: {ran.stderr.strip()[-2000:]}"
-            program.unlink()
-            written = [f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
-                       for path in sorted(pathlib.Path(folder).iterdir())]
-            return "\n".join([ran.stdout, *written])
+            return self.outcome_of(program, folder)
+
+    def outcome_of(self, program, folder):
+        ran = subprocess.run([program], cwd=folder, capture_output=True, text=True,
+                             env=self.environment)
+        if ran.returncode != 0:
+            return f"! ends with {ran.returncode}: {ran.stderr.strip()[-2000:]}"
+        written = [f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
+                   for path in sorted(pathlib.Path(folder).iterdir())]
+        return "\n".join([ran.stdout, *written])
 
 
 def check_refusals(consumer, compilers):
@@ -123,6 +135,7 @@ def main():
         parser.add_argument(option, required=True)
     parser.add_argument("--compilers", nargs="+", required=True)
     parser.add_argument("--base", default="")
+    parser.add_argument("--built")
     parser.add_argument("--all", action="store_true")
     arguments = parser.parse_args()
     consumer = Consumer(arguments)
@@ -137,7 +150,7 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         expected = dict(zip(consumer.programs, pool.map(
-            lambda name: consumer.outcome(name, arguments.compilers[0], []), consumer.programs)))
+            lambda name: consumer.expected(name, arguments.compilers[0]), consumer.programs)))
         trials = list(itertools.product(consumer.programs, arguments.compilers, flag_sets))
         found = list(pool.map(lambda trial: consumer.outcome(*trial), trials))
 

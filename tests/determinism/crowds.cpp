@@ -104,8 +104,9 @@ void add_models(const std::string& where, Report& report) {
                crowd<Dim>(settings, lod::Budget::unlimited()));
 }
 
+/// What differs in how the pairs of nodes are found.
 template <int Dim>
-void add_crowds_of(const std::string& where, Report& report) {
+void add_traversals_of(const std::string& where, Report& report) {
     report.add("tree of balls in " + where, lod::tree_hash(*cluster<Dim>(4)));
     report.add("crowd in " + where + ", 100 node tests a frame",
                crowd<Dim>({}, lod::Budget::node_tests(100)));
@@ -123,12 +124,18 @@ void add_crowds_of(const std::string& where, Report& report) {
     swept.sweep.on = true;
     report.add("crowd in " + where + ", swept at a tenth of a second a frame",
                crowd<Dim>(swept, lod::Budget::unlimited()));
-    add_models<Dim>(where, report);
 }
 
 }  // namespace
 
+void add_traversals(Report& report) {
+    add_traversals_of<2>("the plane", report);
+    add_traversals_of<3>("space", report);
+}
+
 void add_crowds(Report& report) {
-    add_crowds_of<2>("the plane", report);
-    add_crowds_of<3>("space", report);
+    add_traversals_of<2>("the plane", report);
+    add_models<2>("the plane", report);
+    add_traversals_of<3>("space", report);
+    add_models<3>("space", report);
 }

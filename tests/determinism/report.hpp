@@ -39,6 +39,7 @@ class Combined {
 };
 
 void add_crowds(Report& report);        ///< core alone: balls by every response and model
+void add_traversals(Report& report);    ///< of these, those by the default response and model
 void add_plane_trees(Report& report);   ///< lod2d: builders, trees as text
 void add_space_trees(Report& report);   ///< lod3d: builders, meshes in files
 void add_scenes(Report& report);        ///< shipped scenes, interruptions, traces

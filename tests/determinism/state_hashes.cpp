@@ -25,16 +25,16 @@ std::map<std::string, std::string> read_hashes(const char* path) {
 /// What other ways of testing nodes, by other instructions of this machine, make of core's bodies:
 /// nothing is added where that is the same.
 void add_other_paths(Report& report) {
-    Report fastest;
-    add_crowds(fastest);
+    std::map<std::string, std::string> fastest;
+    for (const Report::Line& line : report.lines()) fastest[line.name] = line.hash;
     for (const lod::detail::TestPath& path : lod::detail::test_paths()) {
         lod::detail::take_path(path);
         Report other;
-        add_crowds(other);
-        for (std::size_t i = 0; i < other.lines().size(); ++i)
-            if (other.lines()[i].hash != fastest.lines()[i].hash)
-                report.add(other.lines()[i].name + ", by " + std::string(path.name),
-                           std::stoull(other.lines()[i].hash, nullptr, 16));
+        add_traversals(other);
+        for (const Report::Line& line : other.lines())
+            if (line.hash != fastest[line.name])
+                report.add(line.name + ", by " + std::string(path.name),
+                           std::stoull(line.hash, nullptr, 16));
     }
     lod::detail::take_path(lod::detail::test_paths().front());
 }
