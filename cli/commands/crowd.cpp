@@ -10,8 +10,8 @@
 #include "cli/terminal/dimension.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
-#include "lodlab/measure/curves.hpp"
 #include "lodlab/measure/crowd/quota.hpp"
+#include "lodlab/measure/curves.hpp"
 #include "lodlab/scenes/crowd/crowds.hpp"
 #include "lodlab/scenes/run.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"
@@ -189,8 +189,8 @@ std::string title_of(const Result& result) {
                          [&](const Curve& x, const Curve& y) { return quarter(x) < quarter(y); });
     std::string name(lod::name_of(best->priority));
     std::replace(name.begin(), name.end(), '_', ' ');
-    return "With a quarter of the tests " + readable(100 * quarter(*best), 2) +
-           " % of what impulses change is wrong, by " + name;
+    return "A quarter of the tests leaves " + readable(100 * quarter(*best), 2) +
+           " % of the impulses wrong, by " + name;
 }
 
 viz::Figure figure_of(const Result& result) {
@@ -204,8 +204,6 @@ viz::Figure figure_of(const Result& result) {
         for (const Row& row : curve.rows) {
             if (row.share == 1) continue;  // nothing is wrong there, which a logarithm cannot show
             line.points.push_back({100 * row.share, 100 * row.error.median});
-            line.low.push_back(100 * row.error.p10);
-            line.high.push_back(100 * row.error.p90);
         }
         drawn.push_back(std::move(line));
     }
@@ -219,10 +217,8 @@ viz::Figure figure_of(const Result& result) {
         std::to_string(result.bodies) +
         " bodies is done again under each quota from the same "
         "state. " +
-        (result.seeds.size() == 1
-             ? std::string()
-             : "Median of " + std::to_string(result.seeds.size()) +
-                   " seeds, and the band from the 10th to the 90th percentile.");
+        (result.seeds.size() == 1 ? std::string()
+                                  : "Median of " + std::to_string(result.seeds.size()) + " seeds.");
     return viz::plot(title_of(result), axes, drawn, caption);
 }
 
