@@ -62,7 +62,7 @@ Trace::Trace(std::shared_ptr<TraceText> text, std::string source)
         }
         read_head(head);
         const std::string index = text_->last_line();
-        if (index.find("{\"index\":") != 0)
+        if (!index.starts_with("\"index\":"))
             throw std::invalid_argument("it is cut short: its last line is no index of its frames");
         read_index(index, head.size() + 1);
     } catch (const std::exception& error) {
@@ -76,7 +76,7 @@ void Trace::refuse(const std::string& why) const {
 }
 
 void Trace::read_head(std::string_view line) {
-    const Json json = object_of(line);
+    const Json json = object_of(line, TraceLine::head);
     head_.scene = json.at("scene").get<std::string>();
     head_.dim = io::whole_number<int>(json.at("dim"));
     if (head_.dim != 2 && head_.dim != 3) throw std::invalid_argument("dim is neither 2 nor 3");
@@ -90,8 +90,8 @@ void Trace::read_head(std::string_view line) {
 }
 
 void Trace::read_index(std::string_view line, std::uint64_t head_bytes) {
-    const Json index = object_of(line);
-    for (const Json& key : index.at("index")) {
+    const Json index = object_of(line, TraceLine::index);
+    for (const Json& key : index.at("places")) {
         if (!key.is_array() || key.size() != 2)
             throw std::invalid_argument("its index is no list of frames and places");
         keys_.push_back(
@@ -139,10 +139,11 @@ std::string Trace::bytes_of(std::size_t key) const {
 TraceInterval Trace::parsed(std::size_t key, std::string_view text) const {
     TraceInterval interval;
     interval.first = keys_[key].frame;
-    interval.states = key_frame_from(object_of(take_line(text)), head_, interval.first);
+    interval.states =
+        key_frame_from(object_of(take_line(text), TraceLine::entry), head_, interval.first);
     const std::size_t bodies = interval.states.size() / numbers_of_a_state(head_.dim);
     for (std::int64_t frame = interval.first; frame < keys_[key + 1].frame; ++frame) {
-        const Json json = object_of(take_line(text));
+        const Json json = object_of(take_line(text), TraceLine::entry);
         if (io::whole_number<std::int64_t>(json.at("frame")) != frame)
             throw std::invalid_argument("another frame stands where frame " +
                                         std::to_string(frame) + " should");
@@ -172,7 +173,8 @@ std::vector<double> Trace::end() const {
         const std::string text =
             text_->bytes(keys_.back().offset, text_->size() - text_->last_line().size() - 1);
         std::string_view rest = text;
-        std::vector<double> states = key_frame_from(object_of(take_line(rest)), head_, frames());
+        std::vector<double> states =
+            key_frame_from(object_of(take_line(rest), TraceLine::end), head_, frames());
         if (!rest.empty()) throw std::invalid_argument("a line is too many");
         return states;
     } catch (const std::exception& error) {

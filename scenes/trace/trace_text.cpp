@@ -16,7 +16,18 @@ constexpr std::uint64_t block = 65536;
 std::string check_of(std::string_view text) {
     lod::BitHash hash;
     hash.add(text);
-    return ",\"check\":\"" + hexadecimal(hash.value()) + "\"}";
+    return ",\"check\":\"" + hexadecimal(hash.value()) + "\"";
+}
+
+/// What stands in place of an object's braces, so that all lines are one document.
+struct Place {
+    std::string_view opening;
+    std::string_view closing;
+};
+Place place_of(TraceLine line) {
+    constexpr Place places[] = {
+        {"{", ",\"entries\":["}, {"{", "},"}, {"null],\"end\":{", "},"}, {"\"index\":{", "}}"}};
+    return places[static_cast<std::size_t>(line)];
 }
 
 }  // namespace
@@ -61,20 +72,29 @@ std::string TraceText::last_line() {
     return {};
 }
 
-std::string checked_line(const nlohmann::ordered_json& object) {
+std::string checked_line(const nlohmann::ordered_json& object, TraceLine line) {
     using Handler = nlohmann::ordered_json::error_handler_t;
     std::string text = object.dump(-1, ' ', false, Handler::replace);  // a name
     text.pop_back();                                                   // the closing brace
-    return text + check_of(text) + "\n";
+    const auto [opening, closing] = place_of(line);
+    std::string placed(opening);
+    placed.append(text, 1).append(check_of(text)).append(closing);
+    return placed + "\n";
 }
 
-nlohmann::ordered_json object_of(std::string_view checked_line) {
+nlohmann::ordered_json object_of(std::string_view checked_line, TraceLine line) {
+    const auto [opening, closing] = place_of(line);
     const std::size_t length = check_of({}).size();
-    if (checked_line.size() <= length) throw std::invalid_argument("a line is cut short");
-    const std::string_view text = checked_line.substr(0, checked_line.size() - length);
-    if (checked_line.substr(text.size()) != check_of(text))
+    if (checked_line.size() <= opening.size() + length + closing.size() ||
+        !checked_line.starts_with(opening) || !checked_line.ends_with(closing))
+        throw std::invalid_argument("a line is cut short");
+    checked_line.remove_suffix(closing.size());
+    std::string object = "{";
+    object += checked_line.substr(opening.size());
+    const std::string_view text(object.data(), object.size() - length);
+    if (object.compare(text.size(), length, check_of(text)) != 0)
         throw std::invalid_argument("a line does not fit its check");
-    return nlohmann::ordered_json::parse(checked_line);
+    return nlohmann::ordered_json::parse(object + "}");
 }
 
 }  // namespace scenes

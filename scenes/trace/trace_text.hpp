@@ -29,10 +29,18 @@ class TraceText {
     std::uint64_t size_ = 0;
 };
 
-/// The object as a line that ends with its check: FNV-1a over all before it. A change of any one
-/// byte is seen.
-[[nodiscard]] std::string checked_line(const nlohmann::ordered_json& object);
+/// What a line is in the one JSON document that a trace is.
+enum class TraceLine {
+    head,   ///< the document's first keys; opens the list of entries
+    entry,  ///< of that list: a key frame or a frame
+    end,    ///< closes the list; the document's key "end"
+    index,  ///< its key "index"; closes the document
+};
+
+/// The object as a line that ends with its check: FNV-1a over all of the object before it. A change
+/// of any one byte is seen.
+[[nodiscard]] std::string checked_line(const nlohmann::ordered_json& object, TraceLine line);
 /// The object of such a line, which has no newline. Throws std::exception at any other.
-[[nodiscard]] nlohmann::ordered_json object_of(std::string_view checked_line);
+[[nodiscard]] nlohmann::ordered_json object_of(std::string_view checked_line, TraceLine line);
 
 }  // namespace scenes

@@ -57,7 +57,8 @@ TraceWriter<Dim>::TraceWriter(const std::filesystem::path& path, const TraceOrig
                               {"settings", json_of(origin.settings)},
                               {"limits", json_of(origin.limits)},
                               {"key_frames", settings_.key_frames},
-                              {"records", settings_.records}}));
+                              {"records", settings_.records}},
+                             TraceLine::head));
 }
 
 template <int Dim>
@@ -70,14 +71,14 @@ TraceWriter<Dim>::TraceWriter(const std::filesystem::path& path, const Trace& ea
 }
 
 template <int Dim>
-void TraceWriter<Dim>::write_bodies(const std::vector<State<Dim>>& bodies) {
+void TraceWriter<Dim>::write_bodies(const std::vector<State<Dim>>& bodies, TraceLine line) {
     keys_.emplace_back(frame_, file_.size());
-    file_.write(checked_line({{"key_frame", frame_}, {"bodies", states(bodies)}}));
+    file_.write(checked_line({{"key_frame", frame_}, {"bodies", states(bodies)}}, line));
 }
 
 template <int Dim>
 void TraceWriter<Dim>::add(const Step<Dim>& step, const std::vector<State<Dim>>& after) {
-    if (frame_ % settings_.key_frames == 0) write_bodies(step.before);
+    if (frame_ % settings_.key_frames == 0) write_bodies(step.before, TraceLine::entry);
     Json line = json_of(frame_, mark_of(step, after));
     if (settings_.records) {
         line["tests"] = step.record.tests;
@@ -85,17 +86,17 @@ void TraceWriter<Dim>::add(const Step<Dim>& step, const std::vector<State<Dim>>&
         line["pairs"] = pairs(step.record);
         if (!step.record.swept.empty()) line["swept"] = swept(step.record);
     }
-    file_.write(checked_line(line));
+    file_.write(checked_line(line, TraceLine::entry));
     ++frame_;
     end_ = after;
 }
 
 template <int Dim>
 void TraceWriter<Dim>::finish() {
-    write_bodies(end_);
+    write_bodies(end_, TraceLine::end);
     Json index = Json::array();
     for (const auto& [frame, offset] : keys_) index.push_back({frame, offset});
-    file_.write(checked_line({{"index", std::move(index)}}));
+    file_.write(checked_line({{"places", std::move(index)}}, TraceLine::index));
     file_.commit();
 }
 

@@ -13,6 +13,8 @@
 
 namespace scenes {
 
+enum class TraceLine;
+
 /// How a trace is written.
 struct TraceSettings {
     /// From one frame whose bodies are told to the next: what a seek runs at most. 0: 100, fewer
@@ -32,10 +34,10 @@ struct TraceOrigin {
     Limits limits;
 };
 
-/// Writes a trace frame by frame, JSON Lines whose keys README.md of this folder's parent lists. It
-/// keeps sixteen bytes a key frame, whatever the length of the run. The file is complete or absent:
-/// without finish() nothing is left behind. Throws lod::Error (output failed) as lod::OutputFile
-/// does.
+/// Writes a trace frame by frame, one JSON document in lines, whose keys README.md of this folder's
+/// parent lists. It keeps sixteen bytes a key frame, whatever the length of the run. The file is
+/// complete or absent: without finish() nothing is left behind. Throws lod::Error (output failed)
+/// as lod::OutputFile does.
 template <int Dim>
 class TraceWriter {
   public:
@@ -53,7 +55,7 @@ class TraceWriter {
     void finish();
 
   private:
-    void write_bodies(const std::vector<State<Dim>>& states);
+    void write_bodies(const std::vector<State<Dim>>& states, TraceLine line);
 
     lod::OutputFile file_;
     TraceSettings settings_;

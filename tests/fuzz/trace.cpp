@@ -17,7 +17,8 @@ std::string with_checks(std::string_view text) {
         const std::size_t end = right.find('\n', at);
         if (end == std::string::npos || end < at + mark.size() + 16) break;
         lod::BitHash hash;
-        hash.add(std::string_view(right).substr(line, at - line));
+        const std::size_t object = right.find('{', line);
+        if (object < at) hash.add(std::string_view(right).substr(object, at - object));
         right.replace(at + mark.size(), 16, scenes::hexadecimal(hash.value()));
         line = end + 1;
     }

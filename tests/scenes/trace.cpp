@@ -36,7 +36,7 @@ TEST_CASE("a trace with records tells readers every body and contact") {
     std::size_t contacts = 0;
     std::size_t frames = 0;
     for (const std::string& line : lines_of(trace_text(run, {.records = true}))) {
-        const auto frame = nlohmann::json::parse(line);
+        const nlohmann::json frame = object_in(line);
         if (!frame.contains("frame")) continue;
         const scenes::Step<2>& step = run.steps[frames];
         CHECK(frame.at("frame") == frames++);
@@ -52,11 +52,23 @@ TEST_CASE("a trace with records tells readers every body and contact") {
     CHECK(contacts > 0);
 }
 
+TEST_CASE("a trace is one JSON document, with its head, entries and end for any reader") {
+    const scenes::Run<2> run = budgeted_run(250);
+    const auto document = nlohmann::json::parse(trace_text(run, {.key_frames = 80}));
+    CHECK(document.at("dim") == 2);
+    CHECK(document.at("scene") == "crossing");
+    CHECK(document.at("entries").size() == 250 + 4 + 1);  // frames, key frames, and null
+    CHECK(document.at("entries").back().is_null());
+    CHECK(document.at("end").at("key_frame") == 250);
+    CHECK(document.at("end").at("bodies").at(0).at(0) == run.end[0].position.x());
+    CHECK(document.at("index").at("places").size() == 5);
+}
+
 TEST_CASE("a trace without records tells the bodies of its key frames and of its end alone") {
     const scenes::Run<2> run = budgeted_run(250);
     std::vector<std::int64_t> told;
     for (const std::string& line : lines_of(trace_text(run, {.key_frames = 80})))
-        if (const auto json = nlohmann::json::parse(line); json.contains("bodies"))
+        if (const auto json = object_in(line); json.contains("bodies"))
             told.push_back(json.at("key_frame").get<std::int64_t>());
     CHECK(told == std::vector<std::int64_t>{0, 80, 160, 240, 250});
 }

@@ -257,10 +257,10 @@ TEST_CASE("numbers of a trace that are out of range are refused") {
     const auto index = [](const Json& keys) {
         std::string text;
         for (const std::string& line : lines_of(small_trace())) {
-            auto json = Json::parse(line);
+            auto json = object_in(line);
             json.erase("check");
-            if (json.contains("index")) json["index"] = keys;
-            text += scenes::checked_line(json);
+            if (json.contains("places")) json["places"] = keys;
+            text += scenes::checked_line(json, kind_of(line));
         }
         return text;
     };

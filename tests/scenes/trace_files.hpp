@@ -70,18 +70,30 @@ inline std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+/// What a line of a trace is.
+inline scenes::TraceLine kind_of(const std::string& line) {
+    if (line.starts_with("{\"lodlab_trace\"")) return scenes::TraceLine::head;
+    if (line.starts_with("null]")) return scenes::TraceLine::end;
+    return line.starts_with("\"index\"") ? scenes::TraceLine::index : scenes::TraceLine::entry;
+}
+
+/// Its object.
+inline nlohmann::ordered_json object_in(const std::string& line) {
+    return scenes::object_of(line, kind_of(line));
+}
+
 /// The trace as one would write it who edits each line, with checks and an index that fit.
 template <class Edit>
 std::string edited(const std::string& trace, const Edit& edit) {
     std::string text;
     auto index = nlohmann::ordered_json::array();
     for (const std::string& line : lines_of(trace)) {
-        auto json = nlohmann::ordered_json::parse(line);
+        auto json = object_in(line);
         json.erase("check");
         edit(json);
         if (json.contains("key_frame")) index.push_back({json["key_frame"], text.size()});
-        if (json.contains("index")) json["index"] = index;
-        text += scenes::checked_line(json);
+        if (json.contains("places")) json["places"] = index;
+        text += scenes::checked_line(json, kind_of(line));
     }
     return text;
 }
