@@ -171,6 +171,14 @@ std::shared_ptr<const lod::SphereTree<Dim>> box_tree(double width, double height
     return std::make_shared<lod::SphereTree<Dim>>(lod::lay_out<Dim>(std::span(nodes)));
 }
 
+/// The trees of bodies where they stand.
+template <int Dim>
+std::vector<lod::PosedTree<Dim>> posed(const std::vector<lod::Body<Dim>>& bodies) {
+    std::vector<lod::PosedTree<Dim>> world_S(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i) world_S[i].pose(bodies[i]);
+    return world_S;
+}
+
 /// Resolves contacts and returns the impulse of each.
 template <int Dim>
 std::vector<double> resolve(lod::Response response, const std::vector<lod::Impact<Dim>>& impacts,

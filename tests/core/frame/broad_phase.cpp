@@ -15,13 +15,6 @@ using namespace lodtest;
 
 namespace {
 
-template <int Dim>
-std::vector<PosedTree<Dim>> posed(const std::vector<Body<Dim>>& bodies) {
-    std::vector<PosedTree<Dim>> world_S(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) world_S[i].pose(bodies[i]);
-    return world_S;
-}
-
 /// Every pair of boxes that meet, by asking all of them. Exact: centres are where they were put.
 template <int Dim>
 std::vector<CandidatePair> brute_force(const std::vector<Body<Dim>>& bodies, double margin) {

@@ -12,13 +12,6 @@ using namespace lodtest;
 
 namespace {
 
-template <int Dim>
-std::vector<PosedTree<Dim>> posed(const std::vector<Body<Dim>>& bodies) {
-    std::vector<PosedTree<Dim>> world_S(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) world_S[i].pose(bodies[i]);
-    return world_S;
-}
-
 /// Whether the ball that holds a body overlaps any leaf of another.
 template <int Dim>
 bool reaches_a_leaf(const Body<Dim>& mover, const Body<Dim>& wall) {
