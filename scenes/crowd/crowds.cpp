@@ -166,7 +166,7 @@ Scene make_rain(std::span<const double> values) {
 }
 
 Scene make_bunnies(std::span<const double> values) {
-    constexpr double pitch = 1.5;  ///< more than twice what a bunny reaches from its centre [m]
+    constexpr double pitch = 1.7;  ///< more than twice what a bunny reaches from its centre [m]
     Wish wish(values);
     Scene scene = empty("bunnies", "A gas of bunnies", 3);
     const int side = side_of(wish.bodies, 3);

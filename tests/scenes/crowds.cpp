@@ -1,5 +1,7 @@
 #include "lodlab/scenes/crowd/crowds.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -76,6 +78,28 @@ TEST_CASE("no bodies of a crowd overlap at the start, and none leaves its walls"
                     CHECK(world.half_space().side(run.end[i].position) > 0);
         }
     }
+}
+
+TEST_CASE("a bunny of a crowd reaches less than half way to its neighbours and its walls") {
+    const scenes::Scene scene = scenes::crowd("bunnies:8");
+    const lod3d::Solid bunny =
+        scenes::Shapes<3>::named(scene.bodies[0].shape, {.size = scene.bodies[0].size});
+    double reach = 0;
+    for (const lod3d::Point& corner : bunny.mesh.vertices) reach = std::max(reach, corner.norm());
+    for (std::size_t i = 0; i < 8; ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            double squared = 0;
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                const double gap = scene.bodies[i].position[axis] - scene.bodies[k].position[axis];
+                squared += gap * gap;
+            }
+            CHECK(squared > 4 * reach * reach);
+        }
+    for (const scenes::BodySpec& wall : scene.bodies)
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (wall.shape == scenes::half_space_name && wall.position[axis] != 0)
+                for (std::size_t i = 0; i < 8; ++i)
+                    CHECK(std::abs(wall.position[axis] - scene.bodies[i].position[axis]) > reach);
 }
 
 TEST_CASE("the crowd that implodes meets at its centre, and the rain slows down") {
