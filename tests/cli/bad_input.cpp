@@ -13,18 +13,6 @@
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-void check_failure(const Outcome& outcome, int code, const std::string& part) {
-    INFO(outcome.err);
-    CHECK(outcome.code == code);
-    CHECK(outcome.out.empty());
-    CHECK(is_one_line(outcome.err));
-    CHECK(contains(outcome.err, part));
-}
-
 /// A scene whose only body has this line; the line is the third of the file.
 std::string body(const std::string& line) {
     return "[[body]]\nshape = \"box\"\n" + line + "\n";

@@ -9,6 +9,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/text.hpp"
 
 namespace {
 
@@ -19,15 +20,6 @@ const char* const scene =
     "[[body]]\nshape = \"p.svg\"\nvelocity = [1, 0]\nposition = [-2, 0]\n"
     "[[body]]\nshape = \"disc\"\n";
 
-std::string content(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 /// Refused as wrong usage, in one line with these words, and the file keeps its text.
 void check_kept(const Outcome& outcome, const std::string& words, const std::string& path,
                 const std::string& text) {
@@ -35,7 +27,7 @@ void check_kept(const Outcome& outcome, const std::string& words, const std::str
     CHECK(outcome.code == 2);
     CHECK(is_one_line(outcome.err));
     CHECK(contains(outcome.err, words));
-    CHECK(content(path) == text);
+    CHECK(lodtest::bytes_of(path) == text);
 }
 
 Start in(const Scratch& scratch) {
@@ -80,7 +72,7 @@ TEST_CASE("neither a trace that is played again nor a share that is merged is re
     REQUIRE(
         lodlab({"simulate", "offset_boxes", "--duration", "0.1", "--trace", "t.json"}, in(scratch))
             .code == 0);
-    const std::string trace = content(scratch / "t.json");
+    const std::string trace = lodtest::bytes_of(scratch / "t.json");
     for (const char* option : {"--out", "--trace"})
         check_kept(lodlab({"simulate", "offset_boxes", "--replay", "t.json", option, "t.json"},
                           in(scratch)),
@@ -90,7 +82,7 @@ TEST_CASE("neither a trace that is played again nor a share that is merged is re
                         share, "--out", share[0] == '1' ? "d1.json" : "d2.json"},
                        in(scratch))
                     .code == 0);
-    const std::string first = content(scratch / "d1.json");
+    const std::string first = lodtest::bytes_of(scratch / "d1.json");
     check_kept(lodlab({"degrade", "--merge", "d1.json", "--merge", "d2.json", "--out", "d1.json"},
                       in(scratch)),
                "it is the input d1.json", scratch / "d1.json", first);
@@ -133,7 +125,7 @@ TEST_CASE("a file that a mesh or a drawing names is not replaced, however it is 
         scratch.write("m.mtl", "newmtl a\n  map_Kd -s 1 1 1 sub\\oak.png\nbump a wood.png\n");
         fs::create_hard_link(scratch.path() / "wood.png", scratch.path() / "hard.png");
         scratch.write(one.input, one.text);
-        const std::string before = content(scratch / one.output);
+        const std::string before = lodtest::bytes_of(scratch / one.output);
         // A trace may have any name; a picture cannot be called m.mtl.
         const std::string toml = scratch.write(
             "s.toml", "dim = " + std::string(one.input == "p.svg" ? "2" : "3") +
@@ -149,7 +141,7 @@ TEST_CASE("a figure that nobody named replaces no file") {
     check_kept(lodlab({"figure", "4"}, in(scratch)), "--out figure-4.png to replace it", file,
                "mine");
     CHECK(lodlab({"figure", "4", "--out", "figure-4.png"}, in(scratch)).code == 0);
-    CHECK(content(file) != "mine");
+    CHECK(lodtest::bytes_of(file) != "mine");
 }
 
 TEST_CASE("two outputs in one file are refused before either is written") {
@@ -175,10 +167,10 @@ TEST_CASE("a read-only file stays, also for root, and any other keeps its permis
     const Outcome refused = lodlab({"tree", "box", "--depth", "1", "--out", file});
     CHECK(refused.code == 4);
     CHECK(contains(refused.err, "it is read-only"));
-    CHECK(content(file) == "keep");
+    CHECK(lodtest::bytes_of(file) == "keep");
     ::chmod(file.c_str(), 0640);
     CHECK(lodlab({"tree", "box", "--depth", "1", "--out", file}).code == 0);
-    CHECK(contains(content(file), "<svg"));
+    CHECK(contains(lodtest::bytes_of(file), "<svg"));
     struct stat status {};
     REQUIRE(::stat(file.c_str(), &status) == 0);
     CHECK((status.st_mode & 0777) == 0640);
@@ -191,7 +183,7 @@ TEST_CASE("a link is followed: what it leads to is written, and the link stays")
     for (int time = 0; time < 2; ++time) {
         CHECK(lodlab({"tree", "box", "--depth", "1", "--out", "link.svg"}, in(scratch)).code == 0);
         CHECK(fs::is_symlink(scratch.path() / "link.svg"));
-        CHECK(contains(content(scratch / "far/real.svg"), "<svg"));
+        CHECK(contains(lodtest::bytes_of(scratch / "far/real.svg"), "<svg"));
     }
 }
 
@@ -233,7 +225,7 @@ TEST_CASE("the program and where it prints are no places for a picture or a trac
         const Outcome mixed =
             lodlab({"simulate", "offset_boxes", "--duration", "0.1", "--trace", log}, start);
         CHECK(mixed.code == 2);
-        CHECK(contains(error ? content(log) : mixed.err, "the program prints there"));
+        CHECK(contains(error ? lodtest::bytes_of(log) : mixed.err, "the program prints there"));
     }
 }
 

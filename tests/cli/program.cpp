@@ -132,3 +132,11 @@ std::vector<std::string> Scratch::files() const {
 bool is_one_line(const std::string& text) {
     return !text.empty() && text.back() == '\n' && std::count(text.begin(), text.end(), '\n') == 1;
 }
+
+void check_failure(const Outcome& outcome, int code, const std::string& part) {
+    INFO(outcome.err);
+    CHECK(outcome.code == code);
+    CHECK(outcome.out.empty());
+    CHECK(is_one_line(outcome.err));
+    CHECK(contains(outcome.err, part));
+}

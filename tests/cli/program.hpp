@@ -44,5 +44,12 @@ class Scratch {
     std::filesystem::path path_;
 };
 
+[[nodiscard]] inline bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
 /// Whether the text is one line, newline included.
 [[nodiscard]] bool is_one_line(const std::string& text);
+
+/// Checks that the program failed with this code, and said so in one line with these words.
+void check_failure(const Outcome& outcome, int code, const std::string& part);

@@ -2,35 +2,12 @@
 
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "lodlab/io/files/read_file.hpp"
 #include "tests/catch.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/cli/keys.hpp"
 
 namespace {
-
-using Json = nlohmann::json;
-
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
-Json result(const std::vector<std::string>& arguments) {
-    const Outcome outcome = lodlab(arguments);
-    INFO(outcome.err);
-    REQUIRE(outcome.code == 0);
-    return Json::parse(outcome.out);
-}
-
-void check_failure(const std::vector<std::string>& arguments, int code, const std::string& part) {
-    const Outcome outcome = lodlab(arguments);
-    INFO(outcome.err);
-    CHECK(outcome.code == code);
-    CHECK(outcome.out.empty());
-    CHECK(is_one_line(outcome.err));
-    CHECK(contains(outcome.err, part));
-}
 
 std::string text_of(const std::string& path) {
     return lod::read_text_file(path, 10'000'000);
@@ -92,7 +69,7 @@ TEST_CASE("an open mesh is refused, or filled and marked as approximate") {
     const std::string file = scratch.write("open.obj", open_corner);
     const std::vector<std::string> command{"tree",    file, "--builder", "octree",
                                            "--depth", "1",  "--json"};
-    check_failure(command, 3,
+    check_failure(lodlab(command), 3,
                   "open.obj: the mesh does not bound a solid: 3 edges with one triangle only, the "
                   "first from ");
     auto filled = command;
@@ -126,7 +103,7 @@ TEST_CASE("sphere trees go to other programs by the ending of the file") {
     for (auto at = urdf.find("<sphere"); at != std::string::npos; at = urdf.find("<sphere", at + 1))
         ++count;
     CHECK(count == of_level_1);
-    check_failure({"tree", "gear:9", "--out", scratch / "t.urdf"}, 2, "t.urdf");
+    check_failure(lodlab({"tree", "gear:9", "--out", scratch / "t.urdf"}), 2, "t.urdf");
 }
 
 TEST_CASE("a scene in space runs, repeats and is played again to the same bits") {
@@ -157,34 +134,37 @@ TEST_CASE("a near miss in space is a collision at a coarse level and none at the
 
 TEST_CASE("what is nonsense in space is refused in one line") {
     const Scratch scratch;
-    check_failure({"tree", "text:R", "--dim", "3"}, 2, "text:R is a shape of the plane");
-    check_failure({"tree", "star:5", "--dim", "3"}, 2, "star:5 is a shape of the plane");
-    check_failure({"tree", "knot", "--dim", "2"}, 2, "knot");
-    check_failure({"tree", "knot", "--dim", "4"}, 2, "--dim");
-    check_failure({"tree", "knot", "--builder", "quadtree"}, 2, "choose octree or cover");
-    check_failure({"tree", "knot", "--error", "2"}, 2, "--error");
-    check_failure({"tree", "knot", "--nodes", "0"}, 2, "--nodes");
-    check_failure({"tree", "gear:9", "--fill"}, 2, "only meshes are filled");
-    check_failure({"tree", "gear:9", "--effort", "1"}, 2, "only the builder cover");
-    check_failure({"tree", scratch / "absent.obj"}, 3, "absent.obj");
-    check_failure({"tree", scratch.write("empty.obj", "")}, 3, "empty.obj");
-    check_failure({"tree", scratch.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}, 3,
-                  "nan");
-    check_failure({"tree", scratch.write("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")}, 3,
-                  "far");
-    check_failure({"tree", scratch.write("torn.glb", "glTF\x02")}, 3, "torn.glb");
-    check_failure({"tree", "package:nothing/bunny.obj"}, 3, "no such package");
-    check_failure({"tree", "package:glmark2-data/../x.obj"}, 3, "names no file of the package");
-    check_failure({"collide", "offset_boxes", "--projected", "--out", scratch / "f.png"}, 2,
+    check_failure(lodlab({"tree", "text:R", "--dim", "3"}), 2, "text:R is a shape of the plane");
+    check_failure(lodlab({"tree", "star:5", "--dim", "3"}), 2, "star:5 is a shape of the plane");
+    check_failure(lodlab({"tree", "knot", "--dim", "2"}), 2, "knot");
+    check_failure(lodlab({"tree", "knot", "--dim", "4"}), 2, "--dim");
+    check_failure(lodlab({"tree", "knot", "--builder", "quadtree"}), 2, "choose octree or cover");
+    check_failure(lodlab({"tree", "knot", "--error", "2"}), 2, "--error");
+    check_failure(lodlab({"tree", "knot", "--nodes", "0"}), 2, "--nodes");
+    check_failure(lodlab({"tree", "gear:9", "--fill"}), 2, "only meshes are filled");
+    check_failure(lodlab({"tree", "gear:9", "--effort", "1"}), 2, "only the builder cover");
+    check_failure(lodlab({"tree", scratch / "absent.obj"}), 3, "absent.obj");
+    check_failure(lodlab({"tree", scratch.write("empty.obj", "")}), 3, "empty.obj");
+    check_failure(
+        lodlab({"tree", scratch.write("nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")}), 3,
+        "nan");
+    check_failure(
+        lodlab({"tree", scratch.write("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n")}), 3,
+        "far");
+    check_failure(lodlab({"tree", scratch.write("torn.glb", "glTF\x02")}), 3, "torn.glb");
+    check_failure(lodlab({"tree", "package:nothing/bunny.obj"}), 3, "no such package");
+    check_failure(lodlab({"tree", "package:glmark2-data/../x.obj"}), 3,
+                  "names no file of the package");
+    check_failure(lodlab({"collide", "offset_boxes", "--projected", "--out", scratch / "f.png"}), 2,
                   "drop --projected");
-    check_failure({"figure", "4", "--dim", "3"}, 2, "leave --dim 3 out");
+    check_failure(lodlab({"figure", "4", "--dim", "3"}), 2, "leave --dim 3 out");
     const std::string flat =
         scratch.write("flat.toml", "dim = 3\n[[body]]\nshape = \"box\"\nposition = [1, 2]\n");
-    check_failure({"simulate", flat}, 3, "flat.toml:4:1: position must be three numbers");
+    check_failure(lodlab({"simulate", flat}), 3, "flat.toml:4:1: position must be three numbers");
     scratch.write("open.obj", open_corner);
     const std::string open =
         scratch.write("open.toml", "dim = 3\n[[body]]\nshape = \"open.obj\"\n");
-    check_failure({"simulate", open}, 3, "open.obj: the mesh does not");
+    check_failure(lodlab({"simulate", open}), 3, "open.obj: the mesh does not");
 }
 
 TEST_CASE("remarks say what the numbers of a mesh file hold, and exports stand in its frame") {

@@ -11,6 +11,7 @@
 #include "tests/catch.hpp"
 #include "tests/cli/keys.hpp"
 #include "tests/cli/program.hpp"
+#include "tests/text.hpp"
 
 namespace {
 
@@ -41,10 +42,6 @@ position = [-9, -1]
 velocity = [300, 0]
 depth = 2
 )";
-
-std::string content(const std::string& path) {
-    return lod::read_text_file(path, std::size_t{1} << 30);
-}
 
 Json seek(const std::string& name, const std::string& trace, const std::string& place) {
     return result({"simulate", name, "--replay", trace, "--seek", place, "--json"});
@@ -128,10 +125,10 @@ TEST_CASE("a run that goes on from its trace ends as one that never stopped, in 
     CHECK(on["frames"] == 96);
     CHECK(whole["first_frame"] == 0);
     CHECK(on["state_hash"] == whole["state_hash"]);
-    CHECK(content(b) == content(c));
+    CHECK(lodtest::bytes_of(b) == lodtest::bytes_of(c));
     const Json again = simulate({"--replay", c, "--trace", scratch / "again.json"});
     CHECK(again["state_hash"] == whole["state_hash"]);
-    CHECK(content(scratch / "again.json") == content(c));
+    CHECK(lodtest::bytes_of(scratch / "again.json") == lodtest::bytes_of(c));
     check_refused(lodlab({"simulate", "gears_in_a_box", "--continue", a, "--duration", "0.5"}), 2,
                   "the trace has 144 frames, 0.6 s, already");
     check_refused(lodlab({"simulate", "offset_boxes", "--continue", a}), 3,
@@ -158,7 +155,7 @@ TEST_CASE("what a trace is not is refused in one line") {
     const Scratch scratch;
     const std::string trace = scratch / "t.json";
     result({"simulate", "offset_boxes", "--duration", "0.5", "--trace", trace, "--json"});
-    const std::string whole = content(trace);
+    const std::string whole = lodtest::bytes_of(trace);
     const auto replay = [&](const std::string& path) {
         return lodlab({"simulate", "offset_boxes", "--replay", path});
     };

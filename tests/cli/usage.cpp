@@ -3,10 +3,6 @@
 
 namespace {
 
-bool contains(const std::string& text, const std::string& part) {
-    return text.find(part) != std::string::npos;
-}
-
 void check_misuse(const std::vector<std::string>& arguments, const std::string& part) {
     const Outcome outcome = lodlab(arguments);
     INFO(outcome.err);

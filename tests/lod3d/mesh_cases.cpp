@@ -6,6 +6,7 @@
 #include "lodlab/lod3d/source/load_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
+#include "tests/text.hpp"
 
 using namespace lod3d;
 using namespace lodtest;
@@ -75,12 +76,6 @@ std::string other_sides(std::size_t first) {
 
 const std::string obj_faces = faces("f", from_one);
 const std::string off_faces = faces("4", from_zero);
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-        text.replace(at, from.size(), to);
-    return text;
-}
 
 /// The box as an STL text, by what stands around the vertices.
 std::string stl_text(const std::string& first, const std::string& facet_end = "endfacet\n",

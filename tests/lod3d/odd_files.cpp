@@ -6,6 +6,7 @@
 #include "lodlab/lod3d/source/mesh_readers.hpp"
 #include "tests/catch.hpp"
 #include "tests/lod3d/mesh_files.hpp"
+#include "tests/text.hpp"
 
 using namespace lod3d;
 using namespace lodtest;
@@ -15,13 +16,6 @@ namespace {
 const Mesh& box() {
     static const Mesh made = lod::make_from_spec(generators(), "box:2,3,4");
     return made;
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-    for (std::size_t at = text.find(what); at != std::string::npos;
-         at = text.find(what, at + by.size()))
-        text.replace(at, what.size(), by);
-    return text;
 }
 
 std::string stl_text() {

@@ -8,9 +8,11 @@
 #include "lodlab/viz/paint/paint.hpp"
 #include "lodlab/viz/paint/write.hpp"
 #include "tests/catch.hpp"
+#include "tests/text.hpp"
 #include "tests/viz/scratch.hpp"
 
 using namespace viz;
+using lodtest::bytes_of;
 using sample::Scratch;
 using sample::SmallDisk;
 
@@ -35,13 +37,6 @@ Figure some_figure() {
                    Label{{.role = Role::note}, {-0.5, 0}, "*o_A*", 0.8}};
     figure.panels = {panel, panel};
     return figure;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
 }
 
 void refuses(const Figure& figure, const std::string& word) {

@@ -6,9 +6,11 @@
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/viz/film/write.hpp"
 #include "tests/catch.hpp"
+#include "tests/text.hpp"
 #include "tests/viz/scratch.hpp"
 
 using namespace viz;
+using lodtest::bytes_of;
 using sample::Scratch;
 using sample::SmallDisk;
 
@@ -32,13 +34,6 @@ Animation crossing() {
     for (int i = 0; i < 20; ++i) animation.shots.push_back({[i] { return frame(i); }, 1});
     hold(animation, frame(20), 1.0 / 3);
     return animation;
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
 }
 
 std::uint32_t big_endian(const std::string& bytes, std::size_t at) {

@@ -8,19 +8,14 @@
 #include "lodlab/viz/paint/canvas/webp.hpp"
 #include "lodlab/viz/paint/write.hpp"
 #include "tests/catch.hpp"
+#include "tests/text.hpp"
 #include "tests/viz/scratch.hpp"
 
 using namespace viz;
+using lodtest::bytes_of;
 using sample::Scratch;
 
 namespace {
-
-std::string bytes_of(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return text.str();
-}
 
 Figure flat_figure() {
     Figure figure;

@@ -27,7 +27,7 @@ std::vector<Body<2>> gas_of(int columns, int rows) {
     std::vector<Body<2>> bodies;
     const lod2d::Shape gear = lod2d::generate("gear:9");
     const auto gear_tree = tree_of(gear);
-    Random random(2020);
+    lod::Random random(2020);
     for (int i = 0; i < columns * rows; ++i) {
         Body<2> body;
         set_mass<2>(body, gear.area, Inertia<2>::Constant(gear.second_moment));

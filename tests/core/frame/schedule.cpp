@@ -7,14 +7,13 @@
 #include "tests/core/bodies.hpp"
 #include "tests/core/frame/clock.hpp"
 #include "tests/core/frame/heap.hpp"
+#include "tests/core/frame/policies.hpp"
 
 using namespace lod;
 using namespace lodtest;
 using namespace std::chrono_literals;
 
 namespace {
-
-constexpr auto policies = choices<Priority>();
 
 /// Pairs of equal boxes that overlap, each pair far from the others, the boxes of the sizes given.
 template <int Dim>

@@ -19,7 +19,7 @@ std::string svg(const std::string& body, const std::string& attributes = "") {
            attributes + ">\n" + body + "\n</svg>\n";
 }
 
-Shape shape_of_body(const std::string& body, const std::string& attributes = "") {
+Shape shape_of_drawing(const std::string& body, const std::string& attributes = "") {
     SvgSettings settings;
     settings.outline.tolerance = 1e-6;
     return parse_svg("test.svg", svg(body, attributes), settings);
@@ -27,7 +27,7 @@ Shape shape_of_body(const std::string& body, const std::string& attributes = "")
 
 /// Area / (longer side of the box)^2, which no scaling changes.
 double fullness(const std::string& body, const std::string& attributes = "") {
-    const Shape shape = shape_of_body(body, attributes);
+    const Shape shape = shape_of_drawing(body, attributes);
     CHECK(bounds(shape.polygon).size().maxCoeff() == Approx(1).epsilon(1e-6));
     return shape.area;
 }
@@ -77,7 +77,8 @@ TEST_CASE("basic shapes have the areas of the textbook", "[svg]") {
 }
 
 TEST_CASE("up in the picture is up", "[svg]") {
-    const Shape shape = shape_of_body("<path d='M0 0h4v1h-3v3h-1z'/>");  // an L lying on its back
+    const Shape shape =
+        shape_of_drawing("<path d='M0 0h4v1h-3v3h-1z'/>");  // an L lying on its back
     const Box box = bounds(shape.polygon);
     const BoundaryIndex index(shape.polygon);
     CHECK(index.inside({box.high.x() - 0.01, box.high.y() - 0.01}));
@@ -98,14 +99,14 @@ TEST_CASE("the fill rule comes from the attribute, the style or a group", "[svg]
                    path("class='big hole'")) == Approx(0.75).epsilon(1e-8));
     CHECK(fullness("<style><![CDATA[path{fill-rule:evenodd}]]></style>" + path("")) ==
           Approx(0.75).epsilon(1e-8));
-    CHECK(shape_of_body(path("fill-rule='evenodd'")).polygon.rings.size() == 2);
+    CHECK(shape_of_drawing(path("fill-rule='evenodd'")).polygon.rings.size() == 2);
 }
 
 TEST_CASE("the shape is the union of all that is filled", "[svg]") {
     CHECK(fullness("<rect width='2' height='2'/><rect x='1' y='1' width='3' height='3'/>") ==
           Approx((4 + 9 - 1) / 16.0).epsilon(1e-8));
     const Shape parts =
-        shape_of_body("<rect width='1' height='1'/><rect x='3' width='1' height='1'/>");
+        shape_of_drawing("<rect width='1' height='1'/><rect x='3' width='1' height='1'/>");
     CHECK(parts.polygon.rings.size() == 2);
     CHECK(parts.area == Approx(2.0 / 16).epsilon(1e-8));
 }

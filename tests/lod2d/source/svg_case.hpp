@@ -16,6 +16,12 @@ struct Case {
 #define SEEN "<rect x='4' y='4' width='8' height='4'/>"
 constexpr double half = 0.5;
 
+/// A drawing, and words of what is said of it.
+struct Said {
+    const char* body;
+    const char* words;
+};
+
 inline Shape shape_of_body(const std::string& body, bool strokes = false) {
     SvgSettings settings;
     settings.outline.tolerance = 1e-5;

@@ -69,11 +69,6 @@ TEST_CASE("a clip that is clipped itself cuts by both", "[svg][svg-cases]") {
 
 namespace {
 
-struct Said {
-    const char* body;
-    const char* words;
-};
-
 const Said not_followed[] = {
     {"<mask id='m'><rect width='9' height='9' fill='transparent'/></mask>"
      "<rect width='8' height='4' mask='url(#m)'/>",

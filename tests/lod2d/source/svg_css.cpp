@@ -95,11 +95,6 @@ TEST_CASE("places and lengths count in every unit that the document decides", "[
 
 namespace {
 
-struct Said {
-    const char* body;
-    const char* words;
-};
-
 const Said decided_elsewhere[] = {
     {SEEN "<rect x='4' y='4' width='20vw' height='10'/>", "width 20vw is in vw"},
     {SEEN "<rect x='4' y='4' width='1' height='1vh'/>", "height 1vh is in vh"},

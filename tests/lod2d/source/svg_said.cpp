@@ -86,11 +86,6 @@ TEST_CASE("strokes beside fills are left out and said, or taken in", "[svg][svg-
 
 namespace {
 
-struct Said {
-    const char* body;
-    const char* words;
-};
-
 const Said left_out[] = {
     {SEEN "<text x='4'>A</text><text>B</text><image href='x.png' width='9' height='9'/>",
      "left out 2 texts, 1 image"},
