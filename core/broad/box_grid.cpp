@@ -184,9 +184,11 @@ void BoxGrid<Dim>::put_in_order(std::span<BodyBox<Dim>> pencil) {
 template <int Dim>
 void BoxGrid<Dim>::try_each(std::span<const BodyBox<Dim>> boxes, const Group& group,
                             std::vector<CandidatePair>& pairs) {
-    for (std::size_t i = group.begin; i < group.end; ++i)
+    for (std::size_t i = group.begin; i < group.end; ++i) {
         for (std::size_t k = i + 1; k < by_size_.size(); ++k)
             meet(boxes[at(by_size_[i])], boxes[at(by_size_[k])], pairs);
+        check_candidates(pairs.size());
+    }
 }
 
 template <int Dim>
@@ -200,7 +202,7 @@ void BoxGrid<Dim>::meet(const BodyBox<Dim>& a, const BodyBox<Dim>& b,
 template <int Dim>
 void BoxGrid<Dim>::sweep(std::span<const BodyBox<Dim>> pencil, std::vector<CandidatePair>& pairs) {
     const int along = grid_.axes[0];
-    for (std::size_t i = 0; i < pencil.size(); ++i)
+    for (std::size_t i = 0; i < pencil.size(); ++i) {
         for (std::size_t k = i + 1; k < pencil.size(); ++k) {
             if (pencil[k].box.low[along] > pencil[i].box.high[along]) {
                 ++steps_;
@@ -208,6 +210,8 @@ void BoxGrid<Dim>::sweep(std::span<const BodyBox<Dim>> pencil, std::vector<Candi
             }
             meet(pencil[i], pencil[k], pairs);
         }
+        check_candidates(pairs.size());
+    }
 }
 
 /// Those of two pencils. Requires: no box of the other is longer than a cell.
@@ -226,6 +230,7 @@ void BoxGrid<Dim>::sweep(std::span<const BodyBox<Dim>> pencil, std::span<const B
             }
             meet(a, other[k], pairs);
         }
+        check_candidates(pairs.size());
     }
 }
 

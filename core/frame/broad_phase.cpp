@@ -16,7 +16,10 @@ void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
     grid_.find(movers_, pairs);
     static_bodies_.update(static_, bodies, world_S, largest_);
     const std::uint64_t before = static_bodies_.steps();
-    for (const BodyBox<Dim>& mover : movers_) static_bodies_.find(mover, pairs);
+    for (const BodyBox<Dim>& mover : movers_) {
+        static_bodies_.find(mover, pairs);
+        check_candidates(pairs.size());
+    }
     steps_ =
         grid_.steps() + (static_bodies_.steps() - before) + half_spaces_.size() * movers_.size();
     if (!half_spaces_.empty()) add_half_spaces(world_S, pairs);
@@ -59,6 +62,7 @@ void BroadPhase<Dim>::add_half_spaces(std::span<const PosedTree<Dim>> world_S,
             if (of_wall.half_space().side(root.centre) > root.radius + slack) continue;
             pairs.push_back({std::min(wall, mover.body), std::max(wall, mover.body)});
         }
+        check_candidates(pairs.size());
     }
 }
 

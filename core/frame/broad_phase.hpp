@@ -31,8 +31,8 @@ class BroadPhase {
     /// body much larger than those that move (StaticBodies) only where a box of its nodes at a
     /// coarse level meets the root ball's box, too; with a half-space every body whose root ball
     /// does; sorted by (a, b). What is not found is proved apart, rounding included; but a body
-    /// that is further than 1e300 m away, or nowhere, meets none. Requires: world_S of every body
-    /// has been posed.
+    /// that is further than 1e300 m away, or nowhere, meets none. Throws lod::Error, limit
+    /// exceeded, beyond most_candidates. Requires: world_S of every body has been posed.
     void find(std::span<const Body<Dim>> bodies, std::span<const PosedTree<Dim>> world_S,
               std::vector<CandidatePair>& pairs);
     /// How many comparisons of boxes and half-spaces the last `find` took; without those that build

@@ -104,7 +104,8 @@ struct FrameStorage {
     FrameRecord<Dim> record;
 };
 
-/// Detection and contact modelling at the present instant; no body changes.
+/// Detection and contact modelling at the present instant; no body changes. Throws lod::Error,
+/// limit exceeded, where bodies crowd so that more pairs are near than most_candidates.
 template <int Dim>
 LOD_NO_DANGLING const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies,
                                                const FrameSettings& settings, Budget& budget,
@@ -112,7 +113,8 @@ LOD_NO_DANGLING const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies
 
 /// One frame: detect, respond, integrate (with SweepSettings, sweep). A pair that is backtracked
 /// (FinestDetail) responds where it stood at its time of impact and goes on from there. The record
-/// is valid until the next call. Requires: every body passed check_body.
+/// is valid until the next call. Throws as detect, before a body has changed. Requires: every body
+/// passed check_body.
 template <int Dim>
 LOD_NO_DANGLING const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies,
                                                 const FrameSettings& settings, Budget& budget,

@@ -6,14 +6,13 @@
 #include "tests/catch.hpp"
 #include "tests/core/frame/clock.hpp"
 #include "tests/core/frame/heap.hpp"
+#include "tests/core/frame/policies.hpp"
 
 using namespace lod;
 using namespace lodtest;
 using namespace std::chrono_literals;
 
 namespace {
-
-constexpr auto policies = choices<Priority>();
 
 template <int Dim>
 std::uint64_t run(std::vector<Body<Dim>> bodies, const FrameSettings& settings,
@@ -124,6 +123,31 @@ TEMPLATE_TEST_CASE_SIG("many bodies at one place keep a quota beyond level 0 of 
             CHECK(record.tests <= std::max(quota, pairs));
             CHECK(record.interrupted());
         }
+}
+
+TEMPLATE_TEST_CASE_SIG("10,000 bodies at one place are refused in one line and stay as they were",
+                       "[faults]", ((int Dim), Dim), 2, 3) {
+    const auto pile = [](int count, bool stands) {
+        std::vector<Body<Dim>> bodies(at(count), disc<Dim>(1, 1, {0.25, 0.5}));
+        for (Body<Dim>& body : bodies) body.velocity[0] = 1;
+        if (stands)
+            for (std::size_t i = 1; i < bodies.size(); i += 2) make_static(bodies[i]);
+        return bodies;
+    };
+    for (const bool stands : {false, true}) {  // the half of them: found in the tree, not the grid
+        std::vector<Body<Dim>> bodies = pile(10000, stands);
+        const std::uint64_t before = state_hash<Dim>(bodies);
+        FrameStorage<Dim> storage;
+        Budget budget = Budget::node_tests(0);
+        CHECK_THROWS_WITH(advance<Dim>(bodies, {}, budget, storage),
+                          lodtest::contains("more than 8388608 pairs of bodies are near"));
+        CHECK(state_hash<Dim>(bodies) == before);
+    }
+    // The storage of a frame that was refused serves for the next.
+    std::vector<Body<Dim>> bodies = pile(1000, false);
+    FrameRecord<Dim> record;
+    run<Dim>(bodies, {}, Budget::node_tests(0), record);
+    CHECK(record.pairs.size() == 1000 * 999 / 2);
 }
 
 TEMPLATE_TEST_CASE_SIG("trees of one node and of depth 30 meet under every policy", "[faults]",
