@@ -88,17 +88,18 @@ constexpr const char* model_names[] = {"centre_line", "node_normal", "hull"};
 /// The front of every pair once more, by one model. Requires: a frame that detect went through.
 Modelling model_all(std::span<const lod::Body<2>> bodies, lod::ContactModel model,
                     lod::FrameStorage<2>& storage) {
+    static lod::FrontContacts<2> front_contacts;
+    static lod::FrontModel<2> front;
     Modelling sum;
     sum.seconds = bench::wall_seconds([&] {
         for (std::size_t p = 0; p < storage.candidates.size(); ++p) {
             const auto a = static_cast<std::size_t>(storage.candidates[p].a);
             const auto b = static_cast<std::size_t>(storage.candidates[p].b);
             if (storage.fronts.pairs(p).empty()) continue;
-            storage.front_contacts.model(
-                {storage.world_S[a], storage.world_S[b], storage.fronts.pairs(p)}, {model},
-                lod::pair_motion(bodies[a], bodies[b], time_step), storage.front);
-            sum.contacts += static_cast<double>(storage.front.contacts.size());
-            sum.pairs += storage.front.contacts.empty() ? 0 : 1;
+            front_contacts.model({storage.world_S[a], storage.world_S[b], storage.fronts.pairs(p)},
+                                 {model}, lod::pair_motion(bodies[a], bodies[b], time_step), front);
+            sum.contacts += static_cast<double>(front.contacts.size());
+            sum.pairs += front.contacts.empty() ? 0 : 1;
         }
     });
     return sum;

@@ -108,7 +108,9 @@ std::vector<State<Dim>> states_of(std::span<const lod::Body<Dim>> bodies) {
 template <int Dim>
 Runner<Dim>::Runner(std::vector<lod::Body<Dim>> bodies, const RunOptions& options,
                     std::int64_t first_frame)
-    : bodies_(std::move(bodies)), options_(options), frame_(first_frame) {}
+    : bodies_(std::move(bodies)), options_(options), frame_(first_frame) {
+    storage_.executor = options.executor;
+}
 
 template <int Dim>
 std::chrono::nanoseconds Runner<Dim>::now() const {
@@ -147,6 +149,7 @@ void Runner<Dim>::put(std::int64_t frame, const std::vector<State<Dim>>& states)
     for (std::size_t i = 0; i < bodies_.size(); ++i) scenes::put(states[i], bodies_[i]);
     frame_ = frame;
     storage_ = {};
+    storage_.executor = options_.executor;
 }
 
 template <int Dim>

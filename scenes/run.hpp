@@ -64,6 +64,8 @@ struct RunOptions {
     /// Replay: where each frame was cut, nothing for a frame that was not. Takes the place of
     /// node_tests and milliseconds. Requires: empty or one entry a frame.
     std::span<const std::optional<lod::Cut>> cuts;
+    /// Whose threads do the parts of a frame; it changes no bit and must outlive the run.
+    lod::Executor* executor = nullptr;
     std::function<void(double share)> progress;  ///< called after every frame with the share done
 };
 

@@ -23,10 +23,11 @@ constexpr Alone alone[] = {
     {"tree", "--list", "", "only prints what there is"},
     {"degrade", "--merge", "--out --json --theme --quality", "takes the rest from the shares"},
     {"simulate", "--replay",
-     "SCENE --strip --plot --out --trace --records --key-frames --seek --no-cache --raise-limits "
-     "--theme --quality --json",
+     "SCENE --threads --strip --plot --out --trace --records --key-frames --seek --no-cache "
+     "--raise-limits --theme --quality --json",
      "takes its limit, duration and models from the trace"},
-    {"simulate", "--continue", "SCENE --duration --trace --no-cache --raise-limits --json",
+    {"simulate", "--continue",
+     "SCENE --threads --duration --trace --no-cache --raise-limits --json",
      "takes all but the duration from the trace"},
     {"simulate", "--seek", "SCENE --replay --no-cache --raise-limits --json",
      "only prints one moment"},

@@ -40,6 +40,7 @@ struct Options {
     std::optional<int> level;
     std::optional<std::uint64_t> budget;  ///< node tests a frame
     std::optional<double> milliseconds;   ///< a frame
+    int threads = 1;                      ///< that do a frame
 
     std::optional<double> at;        ///< [s]
     std::optional<double> duration;  ///< [s]

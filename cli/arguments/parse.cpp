@@ -16,6 +16,7 @@
 #include "lodlab/io/sphere_files.hpp"
 #include "lodlab/scenes/scene.hpp"
 #include "lodlab/scenes/spelling.hpp"
+#include "lodlab/scenes/threads/thread_pool.hpp"
 
 namespace cli {
 namespace {
@@ -144,6 +145,7 @@ const Row rows[] = {
     {"--level", [](CLI::App& a, Options& o) { a.add_option("--level", o.level, "the last level that is tested")->check(range(0, 1000)); }},
     {"--budget", [](CLI::App& a, Options& o) { a.add_option("--budget", o.budget, "node tests a frame")->check(range(0, most_tests)); }},
     {"--milliseconds", [](CLI::App& a, Options& o) { a.add_option("--milliseconds", o.milliseconds, "time for the collision handling of a frame [ms]")->check(range(0, 1e6)); }},
+    {"--threads", [](CLI::App& a, Options& o) { a.add_option("--threads", o.threads, "that do the parts of a frame; the bits are the same for any number")->check(range(1, scenes::ThreadPool::most_threads))->capture_default_str(); }},
     {"--at", [](CLI::App& a, Options& o) { a.add_option("--at", o.at, "the instant [s]; without it the first one in which leaves meet")->check(range(0, 3600)); }},
     {"--duration", [](CLI::App& a, Options& o) { a.add_option("--duration", o.duration, "simulated time [s]")->check(range(1e-7, 3600)); }},
     {"--response", [](CLI::App& a, Options& o) { a.add_option("--response", o.response, "how impulses combine")->check(name_of_a<lod::Response>()); }},

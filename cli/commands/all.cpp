@@ -14,7 +14,7 @@ constexpr Command table[] = {
      "SCENE --at --level --projected --out --no-cache --raise-limits --theme --quality --json", run_collide},
     {"simulate", "Run a scene under a level or a budget: video, strip, plot, trace",
      "lodlab simulate figure9 --level 2 --out strip.png --out run.mp4 --json",
-     "SCENE --level --budget --milliseconds --duration --response --contact-model --point-model --policy --fixation --finest --sweep "
+     "SCENE --level --budget --milliseconds --threads --duration --response --contact-model --point-model --policy --fixation --finest --sweep "
      "--strip --plot --out --trace --records --key-frames --replay --seek --continue --no-cache --raise-limits --theme --quality --json", run_simulate},
     {"compare", "A scene at every level, exactly, and by Box2D: table, picture, video",
      "lodlab compare figure9 --out compare.png --out compare.mp4",

@@ -22,13 +22,14 @@ Json or_null(int level) {
 }
 
 template <int Dim>
-Json result_of(const Simulation<Dim>& simulation) {
+Json result_of(const Simulation<Dim>& simulation, int threads) {
     const scenes::Run<Dim>& run = simulation.run;
     const scenes::Summary& summary = simulation.summary;
     return {
         {"dim", Dim},
         {"first_frame", simulation.first_frame},
         {"frames", simulation.frames},
+        {"threads", threads},
         {"state_hash", scenes::hexadecimal(run.state_hash)},
         {"energy", {{"start", run.energy_start}, {"end", run.energy_end}}},
         {"momentum", {{"start", list_of(run.momentum_start)}, {"end", list_of(run.momentum_end)}}},
@@ -91,7 +92,7 @@ void simulate(const scenes::Scene& scene, const Options& options) {
     const Simulation<Dim> simulation = simulated(setup, options, trace);
     write_outputs(options, drawing_of(setup, simulation.run, options));
     if (options.json)
-        print(result_of(simulation));
+        print(result_of(simulation, options.threads));
     else
         print(report_of(setup.scene, simulation));
 }

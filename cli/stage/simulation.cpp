@@ -4,6 +4,7 @@
 #include "cli/stage/staging.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
+#include "lodlab/scenes/threads/thread_pool.hpp"
 #include "lodlab/scenes/trace/trace_player.hpp"
 #include "lodlab/scenes/trace/trace_writer.hpp"
 
@@ -82,11 +83,12 @@ Simulation<Dim> run_to_end(scenes::Runner<Dim>& runner, std::int64_t frames, Tak
 
 template <int Dim>
 Simulation<Dim> played_again(const scenes::Setup<Dim>& setup, const Options& options,
-                             const scenes::Trace& trace) {
+                             const scenes::Trace& trace, lod::Executor* executor) {
     ProgressBar bar("Playing again");
     scenes::RunOptions run = run_options(setup.scene);
     run.settings = trace.head().settings;
     run.limits = trace.head().limits;
+    run.executor = executor;
     run.progress = [&](double share) { bar.show(share); };
     scenes::TracePlayer<Dim> player(trace, setup.bodies, run);
     Taker<Dim> taker(setup, options, run);
@@ -100,7 +102,7 @@ Simulation<Dim> played_again(const scenes::Setup<Dim>& setup, const Options& opt
 
 template <int Dim>
 Simulation<Dim> continued(const scenes::Setup<Dim>& setup, const Options& options,
-                          const scenes::Trace& trace) {
+                          const scenes::Trace& trace, lod::Executor* executor) {
     scenes::Scene scene = setup.scene;
     scene.time_step = trace.head().settings.time_step;
     if (scene.frames() <= trace.frames())
@@ -112,6 +114,7 @@ Simulation<Dim> continued(const scenes::Setup<Dim>& setup, const Options& option
     scenes::RunOptions run = run_options(scene);
     run.settings = trace.head().settings;
     run.limits = trace.head().limits;
+    run.executor = executor;
     run.progress = [&](double share) { bar.show(share); };
     scenes::Runner<Dim> runner(scenes::bodies_at_end(trace, setup.bodies), run, trace.frames());
     Taker<Dim> taker(setup, options, run, trace);
@@ -123,10 +126,14 @@ Simulation<Dim> continued(const scenes::Setup<Dim>& setup, const Options& option
 template <int Dim>
 Simulation<Dim> simulated(const scenes::Setup<Dim>& setup, const Options& options,
                           const std::optional<scenes::Trace>& earlier) {
-    if (earlier && !options.replay.empty()) return played_again(setup, options, *earlier);
-    if (earlier) return continued(setup, options, *earlier);
+    std::optional<scenes::ThreadPool> threads;
+    if (options.threads > 1) threads.emplace(options.threads);
+    lod::Executor* const executor = threads ? &*threads : nullptr;
+    if (earlier && !options.replay.empty()) return played_again(setup, options, *earlier, executor);
+    if (earlier) return continued(setup, options, *earlier, executor);
     ProgressBar bar("Simulating");
     scenes::RunOptions run = run_options(setup.scene);
+    run.executor = executor;
     run.progress = [&](double share) { bar.show(share); };
     scenes::Runner<Dim> runner(setup.bodies, run);
     Taker<Dim> taker(setup, options, run);

@@ -10,11 +10,13 @@
 namespace lod {
 namespace {
 
-constexpr std::size_t exponents = 2048;    ///< of a double
-constexpr int widest_group = 3;            ///< factors of two from its smallest to its largest
-constexpr std::size_t most_groups = 16;    ///< smaller boxes than these tell apart share the last
-constexpr std::size_t few = 8;             ///< boxes that are compared with each other box
-constexpr std::size_t sample = 63;         ///< boxes whose median says where most of them are
+constexpr std::size_t exponents = 2048;  ///< of a double
+constexpr int widest_group = 3;          ///< factors of two from its smallest to its largest
+constexpr std::size_t most_groups = 16;  ///< smaller boxes than these tell apart share the last
+constexpr std::size_t few = 8;           ///< boxes that are compared with each other box
+constexpr std::size_t sample = 63;       ///< boxes whose median says where most of them are
+constexpr std::size_t pencils_of_a_part = 4;
+constexpr std::uint64_t next_sheet = std::uint64_t{1} << 32;  ///< from a pencil's number
 constexpr std::uint64_t most_shifts = 16;  ///< of a box: beyond, sorting anew is cheaper
 
 // Cells are counted from 1, so that each has one before it and one after it.
@@ -47,21 +49,33 @@ double side(const Box<Dim>& box) {
 }  // namespace
 
 template <int Dim>
-void BoxGrid<Dim>::find(std::span<const BodyBox<Dim>> boxes, std::vector<CandidatePair>& pairs) {
+void BoxGrid<Dim>::find(std::span<const BodyBox<Dim>> boxes, Executor* executor,
+                        std::vector<CandidatePair>& pairs) {
     steps_ = 0;
+    met_.resize(workers_of(executor));
+    for (Met& met : met_) {
+        met.pairs.clear();
+        met.steps = 0;
+    }
     divide_by_size(boxes);
     const std::span<const std::int32_t> chosen(by_size_);
     for (const Group& group : groups_) {
         if (group.end - group.begin <= few) {
-            try_each(boxes, group, pairs);
+            try_each(boxes, group);
             continue;
         }
         place_grid(boxes, group);
         lay_out(boxes, chosen.subspan(group.begin, group.end - group.begin), own_);
-        meet_within(own_, pairs);
+        each_part(executor, own_.list.size() - 1, pencils_of_a_part,
+                  [&](const Part& part) { meet_within(own_, part, met_[part.worker]); });
         if (group.end == chosen.size()) break;
         lay_out(boxes, chosen.subspan(group.end), finer_);
-        meet_between(finer_, own_, pairs);
+        each_part(executor, finer_.list.size() - 1, pencils_of_a_part,
+                  [&](const Part& part) { meet_between(finer_, own_, part, met_[part.worker]); });
+    }
+    for (const Met& met : met_) {
+        pairs.insert(pairs.end(), met.pairs.begin(), met.pairs.end());
+        steps_ += met.steps;
     }
 }
 
@@ -182,93 +196,92 @@ void BoxGrid<Dim>::put_in_order(std::span<BodyBox<Dim>> pencil) {
 
 /// Those of a group of few with each other and with all smaller ones.
 template <int Dim>
-void BoxGrid<Dim>::try_each(std::span<const BodyBox<Dim>> boxes, const Group& group,
-                            std::vector<CandidatePair>& pairs) {
+void BoxGrid<Dim>::try_each(std::span<const BodyBox<Dim>> boxes, const Group& group) {
     for (std::size_t i = group.begin; i < group.end; ++i) {
         for (std::size_t k = i + 1; k < by_size_.size(); ++k)
-            meet(boxes[at(by_size_[i])], boxes[at(by_size_[k])], pairs);
-        check_candidates(pairs.size());
+            meet(boxes[at(by_size_[i])], boxes[at(by_size_[k])], met_.front());
+        check_candidates(met_.front().pairs.size());
     }
 }
 
 template <int Dim>
-void BoxGrid<Dim>::meet(const BodyBox<Dim>& a, const BodyBox<Dim>& b,
-                        std::vector<CandidatePair>& pairs) {
-    ++steps_;
-    if (a.box.meets(b.box)) pairs.push_back({std::min(a.body, b.body), std::max(a.body, b.body)});
+void BoxGrid<Dim>::meet(const BodyBox<Dim>& a, const BodyBox<Dim>& b, Met& met) {
+    ++met.steps;
+    if (a.box.meets(b.box))
+        met.pairs.push_back({std::min(a.body, b.body), std::max(a.body, b.body)});
 }
 
 /// The pairs of one pencil.
 template <int Dim>
-void BoxGrid<Dim>::sweep(std::span<const BodyBox<Dim>> pencil, std::vector<CandidatePair>& pairs) {
+void BoxGrid<Dim>::sweep(std::span<const BodyBox<Dim>> pencil, Met& met) const {
     const int along = grid_.axes[0];
     for (std::size_t i = 0; i < pencil.size(); ++i) {
         for (std::size_t k = i + 1; k < pencil.size(); ++k) {
             if (pencil[k].box.low[along] > pencil[i].box.high[along]) {
-                ++steps_;
+                ++met.steps;
                 break;
             }
-            meet(pencil[i], pencil[k], pairs);
+            meet(pencil[i], pencil[k], met);
         }
-        check_candidates(pairs.size());
+        check_candidates(met.pairs.size());
     }
 }
 
 /// Those of two pencils. Requires: no box of the other is longer than a cell.
 template <int Dim>
 void BoxGrid<Dim>::sweep(std::span<const BodyBox<Dim>> pencil, std::span<const BodyBox<Dim>> other,
-                         std::vector<CandidatePair>& pairs) {
+                         Met& met) const {
     const int along = grid_.axes[0];
     std::size_t begin = 0;
     for (const BodyBox<Dim>& a : pencil) {
         const double low = a.box.low[along] - grid_.cell;
-        for (; begin < other.size() && other[begin].box.low[along] < low; ++begin) ++steps_;
+        for (; begin < other.size() && other[begin].box.low[along] < low; ++begin) ++met.steps;
         for (std::size_t k = begin; k < other.size(); ++k) {
             if (other[k].box.low[along] > a.box.high[along]) {
-                ++steps_;
+                ++met.steps;
                 break;
             }
-            meet(a, other[k], pairs);
+            meet(a, other[k], met);
         }
-        check_candidates(pairs.size());
+        check_candidates(met.pairs.size());
     }
 }
 
 /// Each pencil with those after it around it: the next of its sheet, three of the next sheet.
 template <int Dim>
-void BoxGrid<Dim>::meet_within(const Pencils& own, std::vector<CandidatePair>& pairs) {
+void BoxGrid<Dim>::meet_within(const Pencils& own, const Part& part, Met& met) const {
     constexpr int sheets = Dim - 2;  // beside each: none in the plane
-    std::size_t above = 0;
-    for (std::size_t i = 0; i + 1 < own.list.size(); ++i) {
-        sweep(own.of(i), pairs);
+    std::size_t above = own.first_from(own.list[part.begin].number + next_sheet - 1);
+    for (std::size_t i = part.begin; i < part.end; ++i) {
+        sweep(own.of(i), met);
         const std::uint64_t number = own.list[i].number;
-        if (own.list[i + 1].number == number + 1) sweep(own.of(i), own.of(i + 1), pairs);
+        if (own.list[i + 1].number == number + 1) sweep(own.of(i), own.of(i + 1), met);
         for (int sheet = 1; sheet <= sheets; ++sheet) {
-            const std::uint64_t middle = number + (std::uint64_t{1} << 32);
+            const std::uint64_t middle = number + next_sheet;
             while (own.list[above].number < middle - 1) ++above;
             for (std::size_t k = above; k + 1 < own.list.size() && own.list[k].number <= middle + 1;
                  ++k)
-                sweep(own.of(i), own.of(k), pairs);
+                sweep(own.of(i), own.of(k), met);
         }
     }
 }
 
 /// Each pencil of smaller boxes with all around it of the group.
 template <int Dim>
-void BoxGrid<Dim>::meet_between(const Pencils& finer, const Pencils& own,
-                                std::vector<CandidatePair>& pairs) {
+void BoxGrid<Dim>::meet_between(const Pencils& finer, const Pencils& own, const Part& part,
+                                Met& met) const {
     constexpr int sheets = Dim - 2;
-    std::array<std::size_t, 2 * sheets + 1> next{};
-    for (std::size_t i = 0; i + 1 < finer.list.size(); ++i)
-        for (int sheet = -sheets; sheet <= sheets; ++sheet) {
-            const std::uint64_t middle =
-                finer.list[i].number + (static_cast<std::uint64_t>(std::int64_t{sheet}) << 32);
-            std::size_t& first = next[at(sheet + sheets)];
+    for (int sheet = -sheets; sheet <= sheets; ++sheet) {
+        const std::uint64_t beside = static_cast<std::uint64_t>(std::int64_t{sheet}) * next_sheet;
+        std::size_t first = own.first_from(finer.list[part.begin].number + beside - 1);
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            const std::uint64_t middle = finer.list[i].number + beside;
             while (own.list[first].number < middle - 1) ++first;
             for (std::size_t k = first; k + 1 < own.list.size() && own.list[k].number <= middle + 1;
                  ++k)
-                sweep(finer.of(i), own.of(k), pairs);
+                sweep(finer.of(i), own.of(k), met);
         }
+    }
 }
 
 template class BoxGrid<2>;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/executor.hpp"
 #include "lodlab/core/broad/body_box.hpp"
 #include "lodlab/core/broad/candidate_pair.hpp"
 #include "lodlab/core/broad/sort_cells.hpp"
@@ -22,8 +23,10 @@ namespace lod {
 template <int Dim>
 class BoxGrid {
   public:
-    /// Appends every pair, in no order. Requires: is_somewhere() each; none is empty.
-    void find(std::span<const BodyBox<Dim>> boxes, std::vector<CandidatePair>& pairs);
+    /// Appends every pair, in no order. `executor`: whose threads sweep the pencils. Requires:
+    /// is_somewhere() each; none is empty.
+    void find(std::span<const BodyBox<Dim>> boxes, Executor* executor,
+              std::vector<CandidatePair>& pairs);
     /// How many pairs of boxes the last `find` compared, to put them in order and to see whether
     /// they meet.
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
@@ -46,6 +49,14 @@ class BoxGrid {
         [[nodiscard]] std::span<const BodyBox<Dim>> of(std::size_t i) const {
             return std::span(boxes).subspan(list[i].begin, list[i + 1].begin - list[i].begin);
         }
+        /// The first one that has such a number or a larger one.
+        [[nodiscard]] std::size_t first_from(std::uint64_t number) const {
+            const auto before = [](const Pencil& pencil, std::uint64_t than) {
+                return pencil.number < than;
+            };
+            return static_cast<std::size_t>(
+                std::lower_bound(list.begin(), list.end(), number, before) - list.begin());
+        }
     };
     /// Axes and cells of the grid of one group.
     struct Grid {
@@ -61,14 +72,18 @@ class BoxGrid {
     void lay_out(std::span<const BodyBox<Dim>> boxes, std::span<const std::int32_t> chosen,
                  Pencils& pencils);
     void put_in_order(std::span<BodyBox<Dim>> pencil);
-    void try_each(std::span<const BodyBox<Dim>> boxes, const Group& group,
-                  std::vector<CandidatePair>& pairs);
-    void meet(const BodyBox<Dim>& a, const BodyBox<Dim>& b, std::vector<CandidatePair>& pairs);
-    void sweep(std::span<const BodyBox<Dim>> pencil, std::vector<CandidatePair>& pairs);
+    /// What one thread has found.
+    struct Met {
+        std::vector<CandidatePair> pairs;
+        std::uint64_t steps = 0;
+    };
+    void try_each(std::span<const BodyBox<Dim>> boxes, const Group& group);
+    static void meet(const BodyBox<Dim>& a, const BodyBox<Dim>& b, Met& met);
+    void sweep(std::span<const BodyBox<Dim>> pencil, Met& met) const;
     void sweep(std::span<const BodyBox<Dim>> pencil, std::span<const BodyBox<Dim>> other,
-               std::vector<CandidatePair>& pairs);
-    void meet_within(const Pencils& own, std::vector<CandidatePair>& pairs);
-    void meet_between(const Pencils& finer, const Pencils& own, std::vector<CandidatePair>& pairs);
+               Met& met) const;
+    void meet_within(const Pencils& own, const Part& part, Met& met) const;
+    void meet_between(const Pencils& finer, const Pencils& own, const Part& part, Met& met) const;
 
     std::vector<std::int32_t> by_size_;  ///< boxes, by groups
     std::vector<Group> groups_;          ///< from the largest down
@@ -79,6 +94,7 @@ class BoxGrid {
     Pencils finer_;
     std::vector<GridCell> cells_;
     std::vector<GridCell> spare_;
+    std::vector<Met> met_;  ///< one a worker
     std::uint64_t steps_ = 0;
 };
 

@@ -10,10 +10,11 @@ namespace lod {
 template <int Dim>
 void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
                            std::span<const PosedTree<Dim>> world_S,
-                           std::vector<CandidatePair>& pairs) {
+                           std::vector<CandidatePair>& pairs, Executor* executor) {
     sort_out(bodies, world_S);
     pairs.clear();
-    grid_.find(movers_, pairs);
+    grid_.find(movers_, executor, pairs);
+    check_candidates(pairs.size());  // of all threads
     static_bodies_.update(static_, bodies, world_S, largest_);
     const std::uint64_t before = static_bodies_.steps();
     for (const BodyBox<Dim>& mover : movers_) {
@@ -22,7 +23,7 @@ void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
     }
     steps_ =
         grid_.steps() + (static_bodies_.steps() - before) + half_spaces_.size() * movers_.size();
-    if (!half_spaces_.empty()) add_half_spaces(world_S, pairs);
+    if (!half_spaces_.empty()) add_half_spaces(world_S, executor, pairs);
     sort_pairs(bodies.size(), pairs);
 }
 
@@ -51,9 +52,25 @@ void BroadPhase<Dim>::sort_out(std::span<const Body<Dim>> bodies,
 
 /// The pairs of half-spaces, in one pass over what moves.
 template <int Dim>
-void BroadPhase<Dim>::add_half_spaces(std::span<const PosedTree<Dim>> world_S,
+void BroadPhase<Dim>::add_half_spaces(std::span<const PosedTree<Dim>> world_S, Executor* executor,
                                       std::vector<CandidatePair>& pairs) {
-    for (const BodyBox<Dim>& mover : movers_) {
+    at_half_spaces_.resize(workers_of(executor));
+    for (std::vector<CandidatePair>& found : at_half_spaces_) found.clear();
+    const std::span<const BodyBox<Dim>> movers(movers_);
+    each_part(executor, movers.size(), bodies_of_a_part, [&](const Part& part) {
+        meet_half_spaces(movers.subspan(part.begin, part.end - part.begin), world_S,
+                         at_half_spaces_[part.worker]);
+    });
+    for (const std::vector<CandidatePair>& found : at_half_spaces_)
+        pairs.insert(pairs.end(), found.begin(), found.end());
+    check_candidates(pairs.size());
+}
+
+template <int Dim>
+void BroadPhase<Dim>::meet_half_spaces(std::span<const BodyBox<Dim>> movers,
+                                       std::span<const PosedTree<Dim>> world_S,
+                                       std::vector<CandidatePair>& pairs) const {
+    for (const BodyBox<Dim>& mover : movers) {
         const PosedTree<Dim>& world = world_S[at(mover.body)];
         const Sphere<Dim> root = world.sphere(0);
         for (const std::int32_t wall : half_spaces_) {

@@ -31,23 +31,28 @@ class BroadPhase {
     /// body much larger than those that move (StaticBodies) only where a box of its nodes at a
     /// coarse level meets the root ball's box, too; with a half-space every body whose root ball
     /// does; sorted by (a, b). What is not found is proved apart, rounding included; but a body
-    /// that is further than 1e300 m away, or nowhere, meets none. Throws lod::Error, limit
-    /// exceeded, beyond most_candidates. Requires: world_S of every body has been posed.
+    /// that is further than 1e300 m away, or nowhere, meets none. `executor`: whose threads compare
+    /// boxes. Throws lod::Error, limit exceeded, beyond most_candidates. Requires: world_S of every
+    /// body has been posed.
     void find(std::span<const Body<Dim>> bodies, std::span<const PosedTree<Dim>> world_S,
-              std::vector<CandidatePair>& pairs);
+              std::vector<CandidatePair>& pairs, Executor* executor = nullptr);
     /// How many comparisons of boxes and half-spaces the last `find` took; without those that build
     /// the tree of static bodies, and without the sorting of cells and pairs.
     [[nodiscard]] std::uint64_t steps() const { return steps_; }
 
   private:
     void sort_out(std::span<const Body<Dim>> bodies, std::span<const PosedTree<Dim>> world_S);
-    void add_half_spaces(std::span<const PosedTree<Dim>> world_S,
+    void add_half_spaces(std::span<const PosedTree<Dim>> world_S, Executor* executor,
                          std::vector<CandidatePair>& pairs);
+    void meet_half_spaces(std::span<const BodyBox<Dim>> movers,
+                          std::span<const PosedTree<Dim>> world_S,
+                          std::vector<CandidatePair>& pairs) const;
     void sort_pairs(std::size_t bodies, std::vector<CandidatePair>& pairs);
 
     std::vector<BodyBox<Dim>> movers_;
     double largest_ = 0;  ///< radius of a root ball that moves [m]
     std::vector<std::int32_t> half_spaces_;
+    std::vector<std::vector<CandidatePair>> at_half_spaces_;  ///< one list a worker
     std::vector<std::int32_t> static_;
     BoxGrid<Dim> grid_;
     StaticBodies<Dim> static_bodies_;

@@ -1,5 +1,6 @@
 #include "lodlab/core/frame/frame.hpp"
 
+#include "lodlab/core/base/executor.hpp"
 #include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/frame/integrate.hpp"
 
@@ -7,74 +8,12 @@ namespace lod {
 namespace {
 
 template <int Dim>
-void pose_all(std::span<const Body<Dim>> bodies, std::vector<PosedTree<Dim>>& world_S) {
+void pose_all(std::span<const Body<Dim>> bodies, Executor* executor,
+              std::vector<PosedTree<Dim>>& world_S) {
     if (world_S.size() != bodies.size()) world_S.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i) world_S[i].pose(bodies[i]);
-}
-
-/// The contacts of a pair, from its front at the last finished level.
-template <int Dim>
-void model_front(std::span<const Body<Dim>> bodies, const FrameSettings& settings, std::size_t p,
-                 FrameStorage<Dim>& storage) {
-    const auto [a, b] = storage.candidates[p];
-    const auto at_a = static_cast<std::size_t>(a);
-    const auto at_b = static_cast<std::size_t>(b);
-    storage.front_contacts.model(
-        {storage.world_S[at_a], storage.world_S[at_b], storage.fronts.pairs(p)},
-        {settings.contact_model, settings.point_model},
-        pair_motion(bodies[at_a], bodies[at_b], settings.time_step), storage.front);
-    FrameRecord<Dim>& record = storage.record;
-    PairRecord& result = record.pairs[p];
-    for (const auto& [contact, nodes] : storage.front.contacts) {
-        record.impacts.push_back({a, b, static_cast<std::int32_t>(p), contact});
-        record.contact_nodes.push_back({result.nodes.first + nodes.first, nodes.count});
-    }
-    result.nodes.count = static_cast<std::int32_t>(storage.front.node_pairs.size());
-    record.node_pairs.insert(record.node_pairs.end(), storage.front.node_pairs.begin(),
-                             storage.front.node_pairs.end());
-    if (result.nodes.count == 0) result.verdict = Verdict::apart;
-}
-
-/// The contacts of a pair whose true shapes were asked.
-template <int Dim>
-void take_exact(const FinestPair<Dim>& finest, FrameRecord<Dim>& record) {
-    PairRecord& result = record.pairs[static_cast<std::size_t>(finest.pair)];
-    result.finest = finest.backtracked ? Finest::backtrack : Finest::exact;
-    result.impact_time = finest.touch.time;
-    for (const Contact<Dim>& contact : finest.contacts) {
-        record.impacts.push_back({result.bodies.a, result.bodies.b, finest.pair, contact});
-        record.contact_nodes.push_back({result.nodes.first, 0});
-    }
-}
-
-/// The contacts of every pair.
-template <int Dim>
-void model_contacts(std::span<const Body<Dim>> bodies, const FrameSettings& settings,
-                    FrameStorage<Dim>& storage) {
-    FrameRecord<Dim>& record = storage.record;
-    record.pairs.clear();
-    record.node_pairs.clear();
-    record.impacts.clear();
-    record.contact_nodes.clear();
-    const std::vector<FinestPair<Dim>>& true_shapes = storage.true_shapes.found();
-    auto finest = true_shapes.begin();
-    for (std::size_t p = 0; p < storage.candidates.size(); ++p) {
-        const ListedFront& front = storage.fronts.of_pair[p];
-        const auto first = static_cast<std::int32_t>(record.impacts.size());
-        const auto first_node = static_cast<std::int32_t>(record.node_pairs.size());
-        record.pairs.push_back({storage.candidates[p],
-                                front.level,
-                                front.verdict,
-                                front.tests,
-                                first,
-                                0,
-                                {first_node, 0}});
-        if (finest != true_shapes.end() && finest->pair == static_cast<std::int32_t>(p))
-            take_exact(*finest++, record);
-        else
-            model_front(bodies, settings, p, storage);
-        record.pairs[p].contact_count = static_cast<std::int32_t>(record.impacts.size()) - first;
-    }
+    each_part(executor, bodies.size(), bodies_of_a_part, [&](const Part& part) {
+        for (std::size_t i = part.begin; i < part.end; ++i) world_S[i].pose(bodies[i]);
+    });
 }
 
 /// A bound by the fronts and the true shapes' contacts alone, as Budget reserves it.
@@ -115,8 +54,8 @@ void catch_up(const FrameStorage<Dim>& storage, std::span<Body<Dim>> bodies) {
 template <int Dim>
 const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSettings& settings,
                                Budget& budget, FrameStorage<Dim>& storage) {
-    pose_all(bodies, storage.world_S);
-    storage.broad_phase.find(bodies, storage.world_S, storage.candidates);
+    pose_all(bodies, storage.executor, storage.world_S);
+    storage.broad_phase.find(bodies, storage.world_S, storage.candidates, storage.executor);
     const RefineTask<Dim> task{
         bodies,
         storage.candidates,
@@ -124,7 +63,8 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
         {settings.deepest_level, settings.contact_model == ContactModel::hull},
         settings.priority,
         settings.viewer,
-        settings.organisation};
+        settings.organisation,
+        storage.executor};
     const std::uint64_t spent_before = budget.spent();
     storage.scheduler.refine_all(task, budget, storage.fronts);
     storage.true_shapes.clear();
@@ -135,7 +75,14 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
     storage.record.spending = {storage.scheduler.counts(), budget.tests_left(), {}};
     storage.record.cut = budget.cut();
     storage.record.tests = budget.spent() - spent_before;
-    model_contacts(bodies, settings, storage);
+    storage.contacts.model({bodies,
+                            storage.candidates,
+                            storage.world_S,
+                            storage.fronts,
+                            storage.true_shapes.found(),
+                            {settings.contact_model, settings.point_model},
+                            settings.time_step},
+                           storage.executor, storage.record);
     refill(storage.record.impulses, storage.record.impacts.size(), 0.0);
     storage.record.reserved_row_visits = reserved_row_visits(storage);
     storage.record.response = {};
@@ -152,8 +99,8 @@ const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings
     FrameRecord<Dim>& record = storage.record;
     detect<Dim>(bodies, settings, budget, storage);
     rewind(storage, bodies);
-    record.response =
-        storage.resolver.resolve(settings.response, record.impacts, bodies, record.impulses);
+    record.response = storage.resolver.resolve(settings.response, record.impacts, bodies,
+                                               record.impulses, storage.executor);
     record.energy_after = kinetic_energy<Dim>(bodies);
     catch_up(storage, bodies);
     if (settings.sweep.on)
@@ -161,7 +108,9 @@ const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings
                                 {settings.contact_model, settings.point_model, settings.response},
                                 record.swept);
     else
-        integrate(bodies, settings.time_step);
+        each_part(storage.executor, bodies.size(), bodies_of_a_part, [&](const Part& part) {
+            integrate(bodies.subspan(part.begin, part.end - part.begin), settings.time_step);
+        });
     record.spending.time_left = budget.time_left();
     storage.scheduler.learn(budget);
     return record;

@@ -66,14 +66,12 @@ struct Scheduler<Dim>::Frame {
 template <int Dim>
 void Scheduler<Dim>::refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts) {
     fronts.of_pair.resize(task.pairs.size());
-    fronts.list.clear();
     counts_ = {};
     const bool trades = task.priority == Priority::trade && !own_value;
     refill(last_tests_, trades ? task.pairs.size() : 0, std::uint64_t{0});
     Frame frame{task, budget, fronts};
     const bool at_once = budget.is_unlimited();
-    for (std::size_t i = 0; i < task.pairs.size(); ++i)
-        enter(frame, i, at_once ? task.levels.deepest : 0);
+    enter_all(frame, at_once ? task.levels.deepest : 0);
     if (!at_once) {
         budget.expect(pace_);
         if (!own_value) weigh(task);
@@ -88,18 +86,43 @@ void Scheduler<Dim>::refine_all(const RefineTask<Dim>& task, Budget& budget, Fro
     if (trades) remember(frame);
 }
 
-/// Whatever the budget says.
+/// Whatever the budget says. Each worker has a list of its own; a front says in which it is.
 template <int Dim>
-void Scheduler<Dim>::enter(Frame& frame, std::size_t pair, int deepest) {
-    ListedFront& front = frame.fronts.of_pair[pair];
-    test_roots(frame.a(pair), frame.b(pair), front, frame.fronts.list);
-    frame.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
-    const int entry = std::max(
-        entry_level(frame.a(pair), frame.b(pair), frame.task.levels.begin_at_entry), deepest);
+void Scheduler<Dim>::enter_all(Frame& frame, int deepest) {
+    Executor* const executor = frame.task.executor;
+    const std::size_t pairs = frame.task.pairs.size();
+    frame.fronts.lists.resize(workers_of(executor));
+    for (FrontList& list : frame.fronts.lists) list.clear();
+    entered_.resize(parts_of(executor, pairs, pairs_of_a_part));
+    each_part(executor, pairs, pairs_of_a_part,
+              [&](const Part& part) { enter(frame, part, deepest); });
+    for (const Entered& part : entered_) {
+        frame.node_pairs += part.node_pairs;
+        frame.budget.spend(part.tests);
+    }
+}
+
+template <int Dim>
+void Scheduler<Dim>::enter(const Frame& frame, const Part& part, int deepest) {
+    FrontList& list = frame.fronts.lists[part.worker];
+    Entered& done = entered_[part.number];
+    done = {};
     Budget enough = Budget::unlimited();
-    while (front.level < entry && !front.finest)
-        if (refine_one(frame, pair, enough) == Refinement::interrupted) break;
-    frame.budget.spend(front.tests);
+    for (std::size_t pair = part.begin; pair < part.end; ++pair) {
+        ListedFront& front = frame.fronts.of_pair[pair];
+        const PosedTree<Dim>& a = frame.a(pair);
+        const PosedTree<Dim>& b = frame.b(pair);
+        test_roots(a, b, front, list);
+        front.list = static_cast<std::int32_t>(part.worker);
+        const int entry = std::max(entry_level(a, b, frame.task.levels.begin_at_entry), deepest);
+        while (front.level < entry && !front.finest) {
+            const std::uint64_t before = front.tests;
+            if (refine(a, b, enough, front, list) == Refinement::interrupted) break;
+            note(pair, front.tests - before);
+        }
+        done.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+        done.tests += front.tests;
+    }
 }
 
 template <int Dim>
@@ -107,11 +130,17 @@ Refinement Scheduler<Dim>::refine_one(Frame& frame, std::size_t pair, Budget& by
     ListedFront& front = frame.fronts.of_pair[pair];
     const std::uint64_t tests_before = front.tests;
     frame.node_pairs -= static_cast<std::uint64_t>(front.pairs.count);
-    const Refinement done = refine(frame.a(pair), frame.b(pair), by, front, frame.fronts.list);
+    const Refinement done =
+        refine(frame.a(pair), frame.b(pair), by, front, frame.fronts.list_of(pair));
     frame.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
-    if (done == Refinement::finished && pair < last_tests_.size())
-        last_tests_[pair] = front.tests - tests_before;
+    if (done == Refinement::finished) note(pair, front.tests - tests_before);
     return done;
+}
+
+/// What the pair's last finished level took, where the policy asks for that.
+template <int Dim>
+void Scheduler<Dim>::note(std::size_t pair, std::uint64_t tests) {
+    if (pair < last_tests_.size()) last_tests_[pair] = tests;
 }
 
 /// What the policy knows of pairs before their levels.
@@ -296,7 +325,8 @@ void Scheduler<Dim>::store_entries(Frame& frame) {
 template <int Dim>
 void Scheduler<Dim>::resolve(Frame& frame) {
     const std::uint64_t most = frame.budget.join();
-    if (!stored_.resolve(most, frame.fronts.of_pair, frame.fronts.list))
+    for (FrontList& list : frame.fronts.lists) list.clear();
+    if (!stored_.resolve(most, frame.fronts.of_pair, frame.fronts.lists.front()))
         frame.budget.answer_only(most);
     frame.node_pairs = 0;
     for (const ListedFront& front : frame.fronts.of_pair)

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/executor.hpp"
 #include "lodlab/core/frame/broad_phase.hpp"
 #include "lodlab/core/frame/schedule/attention.hpp"
 #include "lodlab/core/frame/schedule/collision_tree.hpp"
@@ -34,6 +35,7 @@ struct RefineTask {
     Priority priority = Priority::closing_speed;
     Viewer viewer;  ///< of Priority::perceptual
     Organisation organisation = Organisation::interleaved;
+    Executor* executor = nullptr;  ///< of entry levels, and of all where there is no limit
 };
 
 /// The first level that says something of a pair: 0, or where contacts come from hulls the deeper
@@ -44,11 +46,17 @@ template <int Dim>
 /// Of every candidate pair, in their order: how far it was refined.
 struct Fronts {
     std::vector<ListedFront> of_pair;
-    FrontList list;
+    std::vector<FrontList> lists{1};  ///< one for each worker of an executor
 
+    /// The list that has the nodes of a candidate pair.
+    [[nodiscard]] FrontList& list_of(std::size_t pair) { return lists[at(of_pair[pair].list)]; }
     /// The overlapping nodes of a candidate pair.
     [[nodiscard]] std::span<const NodePair> pairs(std::size_t pair) const {
-        return list.pairs_of(of_pair[pair]);
+        return lists[at(of_pair[pair].list)].pairs_of(of_pair[pair]);
+    }
+    /// The front of a candidate pair with a list of its own.
+    [[nodiscard]] Front front(std::size_t pair) const {
+        return lists[at(of_pair[pair].list)].front(of_pair[pair]);
     }
 };
 
@@ -112,7 +120,14 @@ class Scheduler {
 
     struct Frame;
     void weigh(const RefineTask<Dim>& task);
-    void enter(Frame& frame, std::size_t pair, int deepest);
+    /// What the entry of a part of the pairs came to.
+    struct Entered {
+        std::uint64_t node_pairs = 0;
+        std::uint64_t tests = 0;
+    };
+    void enter_all(Frame& frame, int deepest);
+    void enter(const Frame& frame, const Part& part, int deepest);
+    void note(std::size_t pair, std::uint64_t tests);
     [[nodiscard]] Refinement refine_one(Frame& frame, std::size_t pair, Budget& by);
     void fill_heap(Frame& frame);
     [[nodiscard]] std::uint64_t next_tests(const Frame& frame, std::size_t pair) const;
@@ -129,6 +144,7 @@ class Scheduler {
     void store_entries(Frame& frame);
     void resolve(Frame& frame);
 
+    std::vector<Entered> entered_;
     std::vector<Waiting> heap_;
     std::array<std::int32_t, 65> of_size_{};  ///< waiting levels, by the bits of their tests
     std::vector<double> weight_;              ///< of each pair, where the policy has one

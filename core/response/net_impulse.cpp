@@ -19,6 +19,8 @@ constexpr double settled_share = 1e-12;
 constexpr double lean_share = 0.01;
 constexpr int lean_sweeps = 8;
 
+constexpr std::size_t rows_of_a_part = 256;
+
 }  // namespace
 
 template <int Dim>
@@ -34,9 +36,7 @@ ResponseReport NetImpulse<Dim>::resolve(std::span<const Impact<Dim>> impacts,
     std::iota(asked_.begin(), asked_.end(), 0);
     while (!asked_.empty()) {
         ++round_;
-        approaching_.clear();
-        for (const std::int32_t p : asked_)
-            if (approaches(pairs_[at(p)], bodies)) approaching_.push_back(p);
+        ask(bodies);
         round(bodies, impulses);
         ask_neighbours(most_visits);
     }
@@ -57,22 +57,25 @@ void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts,
     // A frame's contacts stand pair by pair already.
     if (!std::is_sorted(order_.begin(), order_.end(), before))
         std::sort(order_.begin(), order_.end(), before);
-    rows_.clear();
     pairs_.clear();
-    for (const std::int32_t contact : order_) {
-        const Impact<Dim>& impact = impacts[at(contact)];
-        const bool same = !rows_.empty() && impacts[at(rows_.back().contact)].pair == impact.pair;
-        if (!same) {
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+        const Impact<Dim>& impact = impacts[at(order_[i])];
+        if (i == 0 || impacts[at(order_[i - 1])].pair != impact.pair) {
             Pair& pair = pairs_.emplace_back();
             pair.a = impact.a;
             pair.b = impact.b;
-            pair.first = static_cast<std::int32_t>(rows_.size());
+            pair.first = static_cast<std::int32_t>(i);
             pair.restitution = pair_restitution(bodies[at(impact.a)], bodies[at(impact.b)]);
         }
-        rows_.push_back(row(impact, bodies));
-        rows_.back().contact = contact;
-        pairs_.back().end = static_cast<std::int32_t>(rows_.size());
+        pairs_.back().end = static_cast<std::int32_t>(i) + 1;
     }
+    rows_.resize(order_.size());
+    each_part(executor, rows_.size(), rows_of_a_part, [&](const Part& part) {
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            rows_[i] = row(impacts[at(order_[i])], bodies);
+            rows_[i].contact = order_[i];
+        }
+    });
     body_.resize(std::max(body_.size(), bodies.size()));
     if (queued_.size() < pairs_.size()) queued_.resize(pairs_.size(), 0);
 }
@@ -131,11 +134,35 @@ double NetImpulse<Dim>::inverse_norm(std::int32_t body, const Push& push,
            push.angular.dot(inverse_inertia_[at(body)] * push.angular);
 }
 
+/// Which pairs of this round approach.
+template <int Dim>
+void NetImpulse<Dim>::ask(std::span<const Body<Dim>> bodies) {
+    asked_parts_.resize(parts_of(executor, asked_.size(), pairs_of_a_part));
+    approaching_.resize(asked_.size());
+    each_part(executor, asked_.size(), pairs_of_a_part, [&](const Part& part) {
+        Asked done;
+        done.begin = part.begin;
+        for (std::size_t i = part.begin; i < part.end; ++i) {
+            Pair& pair = pairs_[at(asked_[i])];
+            done.most_visits = std::max(done.most_visits, ++pair.visits);
+            done.row_visits += static_cast<std::uint64_t>(pair.end - pair.first);
+            if (approaches(pair, bodies)) approaching_[done.begin + done.approaching++] = asked_[i];
+        }
+        asked_parts_[part.number] = done;
+    });
+    auto end = approaching_.begin();
+    for (const Asked& part : asked_parts_) {
+        const auto begin = approaching_.begin() + static_cast<std::ptrdiff_t>(part.begin);
+        end = std::copy(begin, begin + static_cast<std::ptrdiff_t>(part.approaching), end);
+        report_.most_visits = std::max(report_.most_visits, part.most_visits);
+        report_.row_visits += part.row_visits;
+    }
+    approaching_.erase(end, approaching_.end());
+}
+
 /// Whether the pair approaches now; then its push and its scale are those of this round.
 template <int Dim>
 bool NetImpulse<Dim>::approaches(Pair& pair, std::span<const Body<Dim>> bodies) {
-    report_.most_visits = std::max(report_.most_visits, ++pair.visits);
-    report_.row_visits += static_cast<std::uint64_t>(pair.end - pair.first);
     pair.push_a = {};
     pair.push_b = pair.push_a;
     double work = 0;

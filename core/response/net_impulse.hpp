@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/executor.hpp"
 #include "lodlab/core/response/impact.hpp"
 
 namespace lod {
@@ -54,6 +55,10 @@ class NetImpulse {
                            std::span<Body<Dim>> bodies, std::span<double> impulses,
                            int most_visits);
 
+    /// Whose threads work out contacts, and what pairs by themselves ask for; nothing: the calling
+    /// one alone. It must outlive resolve, whose bits do not depend on it.
+    Executor* executor = nullptr;
+
   private:
     /// What of a contact stays as it is while velocities change.
     struct Row {
@@ -100,6 +105,13 @@ class NetImpulse {
         double group_squares = 0;  ///< of a group: sum of s S
         double group_norm = 0;     ///< of a group: s^T G s
     };
+    /// What a part of the pairs that a round asks came to.
+    struct Asked {
+        std::size_t begin = 0;
+        std::size_t approaching = 0;  ///< from there on in approaching_
+        int most_visits = 0;
+        std::uint64_t row_visits = 0;
+    };
     using Set = std::int32_t BodyRound::*;
     using Bodies = std::span<Body<Dim>>;
 
@@ -110,7 +122,8 @@ class NetImpulse {
                                  std::span<const Body<Dim>> bodies, double& size) const;
     [[nodiscard]] double inverse_norm(std::int32_t body, const Push& push,
                                       std::span<const Body<Dim>> bodies) const;
-    bool approaches(Pair& pair, std::span<const Body<Dim>> bodies);
+    void ask(std::span<const Body<Dim>> bodies);
+    [[nodiscard]] bool approaches(Pair& pair, std::span<const Body<Dim>> bodies);
     [[nodiscard]] std::int32_t root_of(Set set, std::int32_t body);
     void unite(Set set, std::int32_t a, std::int32_t b);
     void enter(std::int32_t body, double norm);
@@ -132,6 +145,7 @@ class NetImpulse {
     std::vector<std::int32_t> neighbour_begin_;  ///< of each moving body, into neighbours_
     std::vector<std::int32_t> neighbours_;       ///< its pairs
     std::vector<std::int32_t> asked_;            ///< pairs of this round
+    std::vector<Asked> asked_parts_;
     std::vector<std::int32_t> approaching_;
     std::vector<std::int32_t> changed_;  ///< bodies
     std::vector<BodyRound> body_;

@@ -3,23 +3,26 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lodlab/core/base/executor.hpp"
 #include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/response/gauss_seidel.hpp"
 
 namespace lod {
-namespace {}  // namespace
 
 template <int Dim>
 ResponseReport Resolver<Dim>::resolve(Response response, Impacts impacts, Bodies bodies,
-                                      Impulses& impulses) {
+                                      Impulses& impulses, Executor* executor) {
     report_ = {};
     refill(impulses, impacts.size(), 0.0);
     if (impacts.empty()) return report_;
     inverse_inertia_.resize(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        inverse_inertia_[i] = world_inverse_inertia(bodies[i]);
+    each_part(executor, bodies.size(), bodies_of_a_part, [&](const Part& part) {
+        for (std::size_t i = part.begin; i < part.end; ++i)
+            inverse_inertia_[i] = world_inverse_inertia(bodies[i]);
+    });
     switch (response) {
         case Response::net:
+            net_.executor = executor;
             return net_.resolve(impacts, inverse_inertia_, bodies, impulses, most_visits);
         case Response::sum:
             resolve_independently(false, impacts, bodies, impulses);

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "lodlab/core/base/executor.hpp"
 #include "lodlab/core/base/names.hpp"
 #include "lodlab/core/response/net_impulse.hpp"
 
@@ -54,9 +55,11 @@ class Resolver {
     static constexpr double gauss_seidel_share = 2e-15;
     static constexpr int most_reflections = 1000;
 
-    /// See the class. `impulses` is replaced.
+    /// See the class. `impulses` is replaced. `executor`: whose threads do the
+    /// parts of `net`, and carry inertia to the world.
     ResponseReport resolve(Response response, std::span<const Impact<Dim>> impacts,
-                           std::span<Body<Dim>> bodies, std::vector<double>& impulses);
+                           std::span<Body<Dim>> bodies, std::vector<double>& impulses,
+                           Executor* executor = nullptr);
 
   private:
     struct Island {

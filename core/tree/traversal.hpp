@@ -49,7 +49,8 @@ struct Front : FrontState {
 
 /// The same, its pairs being a part of a list that holds those of many fronts.
 struct ListedFront : FrontState {
-    Range pairs;  ///< into FrontList::pairs
+    Range pairs;            ///< into FrontList::pairs
+    std::int32_t list = 0;  ///< of several: which one
 };
 
 /// The node pairs of many fronts in one list, whatever their number and sizes: a crowd that moves

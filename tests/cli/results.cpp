@@ -61,8 +61,8 @@ TEST_CASE("the same run gives the same bits, and another budget gives others") {
 TEST_CASE("a policy decides what a budget is spent on, and in a trace it is kept") {
     const Scratch scratch;
     const std::string trace = scratch / "trace.json";
-    const std::vector<std::string> run{
-        "simulate", "gas:60", "--duration", "0.5", "--budget", "1000", "--json"};
+    const std::vector<std::string> run{"simulate", "gas:60", "--duration", "0.5",
+                                       "--budget", "1000",   "--json"};
     const auto with = [&](std::vector<std::string> more) {
         more.insert(more.begin(), run.begin(), run.end());
         return result(more)["state_hash"];
@@ -70,13 +70,35 @@ TEST_CASE("a policy decides what a budget is spent on, and in a trace it is kept
     CHECK(with({"--policy", "first_come"}) != with({"--policy", "best_gain"}));
     const Json seen = with({"--policy", "perceptual", "--fixation", "0.3,-0.2", "--trace", trace});
     CHECK(seen != with({"--policy", "perceptual", "--fixation", "-2,1"}));
-    CHECK(seen ==
-          result({"simulate", "gas:60", "--replay", trace, "--json"})["state_hash"]);
+    CHECK(seen == result({"simulate", "gas:60", "--replay", trace, "--json"})["state_hash"]);
     for (const char* point : {"1", "1,", "1,2,3,4", "a,b", "nan,0", "1e7,0"}) {
         const Outcome refused = lodlab({"simulate", "gears_in_a_box", "--fixation", point});
         CHECK(refused.code == 2);
         CHECK(is_one_line(refused.err));
     }
+}
+
+TEST_CASE("the number of threads changes no bit, and a trace by two of them is replayed by one") {
+    const Scratch scratch;
+    const std::string trace = scratch / "trace.json";
+    const std::vector<std::string> run{"simulate", "gas:600", "--duration", "0.2"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), run.begin(), run.end());
+        more.emplace_back("--json");
+        return result(more);
+    };
+    const Json one = with({});
+    CHECK(one["threads"] == 1);
+    const Json three = with({"--threads", "3", "--trace", trace});
+    CHECK(three["threads"] == 3);
+    for (const char* key : {"state_hash", "tests", "contacts"}) CHECK(three[key] == one[key]);
+    const Json again = result({"simulate", "gas:600", "--replay", trace, "--json"});
+    CHECK(again["state_hash"] == one["state_hash"]);
+    // On a clock: whatever it cut.
+    const Json timed = with({"--threads", "2", "--milliseconds", "0.1", "--trace", trace});
+    for (const char* threads : {"1", "2"})
+        CHECK(result({"simulate", "gas:600", "--replay", trace, "--threads", threads,
+                      "--json"})["state_hash"] == timed["state_hash"]);
 }
 
 TEST_CASE("a trace written on the clock is replayed to the same bits") {

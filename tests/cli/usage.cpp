@@ -46,6 +46,11 @@ TEST_CASE("a command line that is not understood ends in one line and code 2") {
     check_misuse({"simulate", "offset_boxes", "--level", "three"}, "--level");
     check_misuse({"simulate", "offset_boxes", "--level", "-1"}, "--level");
     check_misuse({"simulate", "offset_boxes", "--milliseconds", "nan"}, "--milliseconds");
+    for (const char* number : {"0", "-1", "nan", "1.5", "257", "many"})
+        check_misuse({"simulate", "offset_boxes", "--threads", number}, "--threads");
+    check_misuse(
+        {"simulate", "offset_boxes", "--replay", "t.json", "--seek", "3", "--threads", "2"},
+        "drop --threads");
     check_misuse({"simulate", "offset_boxes", "--duration", "inf"}, "--duration");
     check_misuse({"simulate", "offset_boxes", "--response", "nett"}, "did you mean net?");
     check_misuse({"simulate", "offset_boxes", "--theme", "drak"}, "did you mean dark?");

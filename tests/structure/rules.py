@@ -42,6 +42,7 @@ MAY_INCLUDE = {
     "scenes": ["core", "io", "lod2d", "lod3d"],
     "scenes/crowd": ["core", "lod2d", "scenes"],
     "scenes/trace": ["core", "io", "scenes"],
+    "scenes/threads": ["core/base"],
     "measure/reference": ["core", "lod2d/shape"],
     "measure/crowd": ["core"],
     "measure": ["core", "io", "lod2d", "lod3d", "scenes", "measure/reference"],
@@ -74,6 +75,7 @@ ONE_SOURCE = {
     "assimp": r"<assimp/",
     "Eigen": r"<Eigen/",
     "Highway": r"<hwy/",
+    "oneTBB": r"<(tbb|oneapi)/",
 }
 
 # Files, signals, processes and threads are not these rooms' affair; they compute anywhere.
@@ -106,7 +108,7 @@ ROUNDED_FREELY = re.compile(
 DECIDE_RESULTS = ["core", "io", "lod2d", "lod3d", "scenes", "measure"]
 
 # These are slow to compile or not part of our interface: sources only, never headers.
-NOT_IN_HEADERS = r"<(nlohmann/json\.hpp|toml\+\+/|toml|CLI/|boost/|librsvg/|cairo|zlib|pugixml|polyclipping/|ft2build|fontconfig/|md4c|mustache)"
+NOT_IN_HEADERS = r"<(tbb/|nlohmann/json\.hpp|toml\+\+/|toml|CLI/|boost/|librsvg/|cairo|zlib|pugixml|polyclipping/|ft2build|fontconfig/|md4c|mustache)"
 
 TESTS_DIM = re.compile(
     r"\bDim\b\s*([=!]=|[<>]=?\s*\d|[%?])|\b\d\s*([=!]=|[<>]=?)\s*Dim\b"

@@ -31,6 +31,7 @@ HOUSE = {
     "lod3d/mesh/measure.cpp": "double extent(const Mesh& mesh, int axis) { return 1; }\n"
     "struct Hull { double least(const Point& p) const { return 2; } };\n",
     "measure/reference/box2d_reference.cpp": "#include <box2d/box2d.h>\n",
+    "scenes/threads/thread_pool.cpp": "#include <tbb/parallel_for.h>\n",
     "viz/figure/figure.hpp": "#include <string>\n",
     "viz/figure/figure.cpp": '#include "viz/figure/figure.hpp"\n',
     "viz/draw/tree.hpp": BEGINNING + '#include "lod2d/shape/shape.hpp"\n#include "viz/figure/figure.hpp"\n',
@@ -60,6 +61,7 @@ BREACHES = {
     "Dim is compared": ("core/tree/a.hpp", "template <int Dim> int f() { return Dim == 2 ? 1 : 3; }\n"),
     "Dim is compared from the left": ("core/tree/a.hpp", "static_assert(2 != Dim);\n"),
     "a specialisation for one dimension": ("core/tree/a.cpp", "template <> void f<2>(int) {}\n"),
+    "a second file for oneTBB": ("cli/commands/a.cpp", "#include <tbb/task_arena.h>\n"),
     "a second file for Box2D": ("cli/commands/a.cpp", "#include <box2d/b2_body.h>\n"),
     "a function of the C library": ("measure/a.cpp", "double f(double x) { return std::atan2(x, 2); }\n"),
     "an algorithm of ranges in a portable room": ("core/tree/a.cpp", "void f(V& v) { std::ranges::sort(v); }\n"),

@@ -44,6 +44,7 @@ bool CollisionTree::resolve(std::uint64_t most_pairs, std::vector<ListedFront>& 
         const std::uint64_t tests = fronts[p].tests;
         fronts[p] = levels_[at(chosen_[p])].front;
         fronts[p].tests = tests;
+        fronts[p].list = 0;
         const auto kept = fronts[p].pairs.of(std::span<const NodePair>(node_pairs_));
         fronts[p].pairs.first = static_cast<std::int32_t>(list.size());
         std::copy(kept.begin(), kept.end(), list.room_for(kept.size()));

@@ -8,6 +8,7 @@
 
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
+#include "tests/core/executors.hpp"
 #include "tests/core/frame/clock.hpp"
 
 namespace {
@@ -78,10 +79,10 @@ using namespace lodtest;
 namespace {
 
 template <int Dim>
-std::vector<Body<Dim>> crowd() {
+std::vector<Body<Dim>> crowd(int count = 20) {
     Random random(91);
     std::vector<Body<Dim>> bodies;
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < count; ++i) {
         bodies.push_back(random_body<Dim>(random));
         bodies.back().velocity = -bodies.back().position;
         bodies.back().tree = random_tree<Dim>(random, 3, 4, random.in(0.4, 1.0));
@@ -142,6 +143,22 @@ TEMPLATE_TEST_CASE_SIG("a warm frame allocates nothing under any policy", "[allo
     FrameStorage<Dim> storage;
     CHECK(allocations_of(bodies, start, stores, storage, 30) > 0);
     CHECK(allocations_of(bodies, start, stores, storage, 30) == 0);
+}
+
+TEMPLATE_TEST_CASE_SIG(
+    "a warm frame allocates nothing where an executor that does not does its parts", "[allocation]",
+    ((int Dim), Dim), 2, 3) {
+    const auto start = crowd<Dim>(60);
+    auto bodies = start;
+    for (const int workers : {2, 16}) {
+        FrameStorage<Dim> storage;
+        ShuffledExecutor executor(workers);
+        storage.executor = &executor;
+        CHECK(allocations_of(bodies, start, {}, storage, 30) > 0);
+        CHECK(executor.parts() > 30);
+        executor.restart();
+        CHECK(allocations_of(bodies, start, {}, storage, 30) == 0);
+    }
 }
 
 TEMPLATE_TEST_CASE_SIG("a moving crowd allocates nothing once warm", "[allocation]",

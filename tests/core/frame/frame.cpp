@@ -82,10 +82,10 @@ TEMPLATE_TEST_CASE_SIG("a frame's contacts are those of the contact model that i
         REQUIRE(record.impacts.size() > 3);
         for (std::size_t p = 0; p < record.pairs.size(); ++p) {
             const PairRecord& pair = record.pairs[p];
-            const auto expected = contacts_of_front<Dim>(
-                bodies[static_cast<std::size_t>(pair.bodies.a)],
-                bodies[static_cast<std::size_t>(pair.bodies.b)],
-                storage.fronts.list.front(storage.fronts.of_pair[p]), {model}, settings.time_step);
+            const auto expected =
+                contacts_of_front<Dim>(bodies[static_cast<std::size_t>(pair.bodies.a)],
+                                       bodies[static_cast<std::size_t>(pair.bodies.b)],
+                                       storage.fronts.front(p), {model}, settings.time_step);
             REQUIRE(expected.size() == static_cast<std::size_t>(pair.contact_count));
             for (std::size_t c = 0; c < expected.size(); ++c) {
                 const std::size_t place = static_cast<std::size_t>(pair.first_contact) + c;
