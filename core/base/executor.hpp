@@ -50,13 +50,13 @@ struct Part {
 
 /// How many threads there are, where nothing stands for the calling one alone.
 [[nodiscard]] inline std::size_t workers_of(const Executor* executor) {
-    return executor == nullptr ? 1 : static_cast<std::size_t>(std::max(1, executor->workers()));
+    return executor == nullptr ? 1 : static_cast<std::size_t>((std::max)(1, executor->workers()));
 }
 
 /// Into how many parts of some size a list is cut: one, where only one thread is there.
 [[nodiscard]] inline std::size_t parts_of(const Executor* executor, std::size_t count,
                                           std::size_t size) {
-    return workers_of(executor) == 1 ? 1 : std::max<std::size_t>(1, (count + size - 1) / size);
+    return workers_of(executor) == 1 ? 1 : (std::max<std::size_t>)(1, (count + size - 1) / size);
 }
 
 /// Does `work` for parts of `count` things, `size` in each: where they end follows from the counts
@@ -70,7 +70,7 @@ void each_part(Executor* executor, std::size_t count, std::size_t size, const Wo
     }
     const auto task = [&](int part, int worker) {
         const auto number = static_cast<std::size_t>(part);
-        work(Part{number * size, std::min(count, (number + 1) * size), number,
+        work(Part{number * size, (std::min)(count, (number + 1) * size), number,
                   static_cast<std::size_t>(worker)});
     };
     executor->run(static_cast<int>(parts), PartTask(task));
