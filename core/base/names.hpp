@@ -19,13 +19,19 @@ template <class Choice>
     return names_of(choice)[static_cast<std::size_t>(choice)];
 }
 
-/// The choice of that name; nothing where none has it.
+/// The choice that has that name in names_of; nothing where none has it.
 template <class Choice>
-[[nodiscard]] constexpr std::optional<Choice> named(std::string_view name) {
+[[nodiscard]] constexpr std::optional<Choice> listed(std::string_view name) {
     const auto names = names_of(Choice{});
     for (std::size_t i = 0; i < names.size(); ++i)
         if (names[i] == name) return static_cast<Choice>(i);
     return std::nullopt;
+}
+
+/// The same, for users: specialised where a choice had another name before.
+template <class Choice>
+[[nodiscard]] constexpr std::optional<Choice> named(std::string_view name) {
+    return listed<Choice>(name);
 }
 
 /// Every choice, in the order of the enum.

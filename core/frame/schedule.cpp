@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "lodlab/core/base/lists.hpp"
 
@@ -67,6 +68,7 @@ template <int Dim>
 void Scheduler<Dim>::refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts) {
     fronts.of_pair.resize(task.pairs.size());
     counts_ = {};
+    weighed_ = false;
     const bool trades = task.priority == Priority::trade && !own_value;
     refill(last_tests_, trades ? task.pairs.size() : 0, std::uint64_t{0});
     Frame frame{task, budget, fronts};
@@ -146,6 +148,7 @@ void Scheduler<Dim>::note(std::size_t pair, std::uint64_t tests) {
 /// What the policy knows of pairs before their levels.
 template <int Dim>
 void Scheduler<Dim>::weigh(const RefineTask<Dim>& task) {
+    if (std::exchange(weighed_, true)) return;
     if (task.priority == Priority::perceptual)
         attention_.weigh(task.viewer, task.bodies, task.pairs, weight_);
     if (task.priority == Priority::trade) trade.plan(task.pairs, targets_);

@@ -93,7 +93,8 @@ class Scheduler {
     void refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts);
 
     /// The pairs as the levels after the leaves take them: by attention with
-    /// Priority::perceptual, by closing speed with closing_speed, else by number.
+    /// Priority::perceptual, by closing speed with closing_speed, else by number. Requires: `task`
+    /// is that of the last refine_all.
     [[nodiscard]] std::span<const std::int32_t> rank(const RefineTask<Dim>& task);
 
     /// Takes the place of the policy in refine_all; an empty one gives it back.
@@ -148,6 +149,7 @@ class Scheduler {
     std::vector<Waiting> heap_;
     std::array<std::int32_t, 65> of_size_{};  ///< waiting levels, by the bits of their tests
     std::vector<double> weight_;              ///< of each pair, where the policy has one
+    bool weighed_ = false;                    ///< since refine_all began
     Attention<Dim> attention_;
     std::vector<std::int32_t> order_;
     std::vector<std::int32_t> targets_;      ///< of each pair, for trade

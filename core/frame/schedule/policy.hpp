@@ -34,10 +34,7 @@ static_assert(names_of(Priority{}).size() == static_cast<std::size_t>(Priority::
 template <>
 [[nodiscard]] constexpr std::optional<Priority> named<Priority>(std::string_view name) {
     if (name == "in_order") return Priority::level_order;
-    const auto names = names_of(Priority{});
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (names[i] == name) return static_cast<Priority>(i);
-    return std::nullopt;
+    return listed<Priority>(name);
 }
 
 /// The next level of a candidate pair, as a policy of one's own is asked for its value.
