@@ -16,7 +16,10 @@ namespace {
 constexpr double runaway_metres = 1e9;
 constexpr double runaway_speed = 1e9;  // m/s and rad/s
 
+/// What is no number is no time, and what is more than there is, all of it.
 std::chrono::nanoseconds nanoseconds(double milliseconds) {
+    if (!(milliseconds > 0)) return {};
+    if (milliseconds > 1e12) return (std::chrono::nanoseconds::max)();
     return std::chrono::nanoseconds(static_cast<std::int64_t>(milliseconds * 1e6));
 }
 

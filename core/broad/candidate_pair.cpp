@@ -6,12 +6,12 @@
 
 namespace lod {
 
-void check_candidates(std::size_t pairs) {
-    if (pairs <= most_candidates) return;
-    throw Error(ErrorKind::limit_exceeded,
-                "more than " + std::to_string(most_candidates) +
-                    " pairs of bodies are near each other in one frame; move the bodies apart, or "
-                    "take fewer than 4096 at one place");
+void check_candidates(std::size_t candidates) {
+    if (candidates > most_candidates)
+        throw Error(ErrorKind::limit_exceeded,
+                    "more than " + std::to_string(most_candidates) +
+                        " pairs of bodies are near each other, more than a frame takes; move the "
+                        "bodies apart, or take fewer");
 }
 
 }  // namespace lod

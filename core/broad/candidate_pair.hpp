@@ -15,11 +15,11 @@ struct CandidatePair {
     friend bool operator==(const CandidatePair&, const CandidatePair&) = default;
 };
 
-/// No frame takes more pairs: each needs some 200 bytes, and 4,096 bodies at one place make as
-/// many.
-inline constexpr std::size_t most_candidates = std::size_t{1} << 23;
+/// So many candidate pairs a frame takes at most: some 200 bytes each, 900 MB. That many have 2,900
+/// bodies at one place, or 50,000 of which each is near 160 others.
+inline constexpr std::size_t most_candidates = std::size_t{1} << 22;
 
-/// Throws lod::Error, limit exceeded, where a list of pairs has grown beyond most_candidates.
-void check_candidates(std::size_t pairs);
+/// Throws Error, limit exceeded, where `candidates` are more.
+void check_candidates(std::size_t candidates);
 
 }  // namespace lod

@@ -2,13 +2,21 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/tree/family_tests.hpp"
 
 namespace lod {
 
 NodePair* FrontList::room_for(std::size_t more) {
-    if (room_.size() < used_ + more) room_.resize(std::max(used_ + more, 2 * room_.size()));
+    if (room_.size() >= used_ + more) return room_.data() + used_;
+    if (used_ + more > most)
+        throw Error(ErrorKind::limit_exceeded,
+                    "more than " + std::to_string(most) +
+                        " pairs of nodes overlap at once, more than a frame takes; give it a quota "
+                        "or a level, or move the bodies apart");
+    room_.resize(std::max(used_ + more, std::min(most, 2 * room_.size())));
     return room_.data() + used_;
 }
 

@@ -71,11 +71,14 @@ class FrontList {
     }
 
     /// Room for `more` pairs behind the last one; what is written there counts once it is taken.
+    /// Throws Error (limit exceeded) where that makes more than `most`.
     [[nodiscard]] NodePair* room_for(std::size_t more);
     /// Makes that many of the pairs written last count.
     void take(std::size_t count) { used_ += count; }
     /// Pairs of all fronts.
     [[nodiscard]] std::size_t size() const { return used_; }
+    /// Node pairs of a frame, at most: 2 GB.
+    static constexpr std::size_t most = std::size_t{1} << 28;
     /// Forgets all from there on.
     void shorten(std::size_t size) { used_ = size; }
     /// Makes what lies from `begin` on a front's pairs. Where its old ones lie right before them,

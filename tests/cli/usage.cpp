@@ -69,9 +69,12 @@ TEST_CASE("numbers are decimal, and what is none is refused") {
         CAPTURE(number);
         check_misuse({"tree", "gear:9", "--depth", number}, "--depth");
         check_misuse({"simulate", "offset_boxes", "--budget", number}, "--budget");
+        check_misuse({"simulate", "offset_boxes", "--milliseconds", number}, "--milliseconds");
         check_misuse({"simulate", "offset_boxes", "--duration", number}, "--duration");
         check_misuse({"degrade", "--seed", number}, "--seed");
     }
+    for (const char* number : {"-1", "3600001"})
+        check_misuse({"simulate", "offset_boxes", "--milliseconds", number}, "--milliseconds");
     for (const char* number : {"-1", "1.5", "18446744073709551616"})
         check_misuse({"degrade", "--seed", number}, "--seed");
     check_misuse({"figure", "0x9"}, "N");

@@ -1,5 +1,8 @@
 #include "lodlab/scenes/run.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
@@ -131,6 +134,24 @@ TEST_CASE("a run cut by the clock is played again to the same bits by its cuts")
     CHECK(replayed.state_hash == timed.state_hash);
     for (std::size_t k = 0; k < timed.steps.size(); ++k)
         CHECK(replayed.steps[k].state_hash == timed.steps[k].state_hash);
+}
+
+TEST_CASE("a quota that is no time leaves level 0, and one beyond all time leaves all") {
+    const auto hash_with = [](std::optional<double> milliseconds, std::optional<int> level) {
+        const TickingClock clock(std::chrono::nanoseconds(50));
+        scenes::RunOptions options = for_frames(300);
+        options.clock = &clock;
+        options.limits.milliseconds = milliseconds;
+        if (level) options.settings.deepest_level = *level;
+        return scenes::run(crossing(), options).state_hash;
+    };
+    const auto coarse = hash_with({}, 0);
+    const auto all = hash_with({}, {});
+    CHECK(coarse != all);
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double none : {0.0, -1.0, -infinity, std::nan(""), 1e-7})
+        CHECK(hash_with(none, {}) == coarse);
+    for (const double hour : {3.6e6, 1e300, infinity}) CHECK(hash_with(hour, {}) == all);
 }
 
 TEST_CASE("a run stops at a signal") {

@@ -1,7 +1,11 @@
 // Quotas, clocks, trees and crowds at the ends of what there is: each has a defined result.
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <string>
 
+#include "lodlab/core/base/error.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/frame/clock.hpp"
@@ -125,31 +129,6 @@ TEMPLATE_TEST_CASE_SIG("many bodies at one place keep a quota beyond level 0 of 
         }
 }
 
-TEMPLATE_TEST_CASE_SIG("10,000 bodies at one place are refused in one line and stay as they were",
-                       "[faults]", ((int Dim), Dim), 2, 3) {
-    const auto pile = [](int count, bool stands) {
-        std::vector<Body<Dim>> bodies(at(count), disc<Dim>(1, 1, {0.25, 0.5}));
-        for (Body<Dim>& body : bodies) body.velocity[0] = 1;
-        if (stands)
-            for (std::size_t i = 1; i < bodies.size(); i += 2) make_static(bodies[i]);
-        return bodies;
-    };
-    for (const bool stands : {false, true}) {  // the half of them: found in the tree, not the grid
-        std::vector<Body<Dim>> bodies = pile(10000, stands);
-        const std::uint64_t before = state_hash<Dim>(bodies);
-        FrameStorage<Dim> storage;
-        Budget budget = Budget::node_tests(0);
-        CHECK_THROWS_WITH(advance<Dim>(bodies, {}, budget, storage),
-                          lodtest::contains("more than 8388608 pairs of bodies are near"));
-        CHECK(state_hash<Dim>(bodies) == before);
-    }
-    // The storage of a frame that was refused serves for the next.
-    std::vector<Body<Dim>> bodies = pile(1000, false);
-    FrameRecord<Dim> record;
-    run<Dim>(bodies, {}, Budget::node_tests(0), record);
-    CHECK(record.pairs.size() == 1000 * 999 / 2);
-}
-
 TEMPLATE_TEST_CASE_SIG("trees of one node and of depth 30 meet under every policy", "[faults]",
                        ((int Dim), Dim), 2, 3) {
     std::vector<Body<Dim>> bodies{disc<Dim>(1, 1, {0, 0}), disc<Dim>(1, 1, {0.5, 0}),
@@ -165,4 +144,98 @@ TEMPLATE_TEST_CASE_SIG("trees of one node and of depth 30 meet under every polic
         run<Dim>(bodies, {.priority = priority}, Budget::node_tests(3 + 30), record);
         CHECK(record.pairs[1].level + record.pairs[2].level == 30);
     }
+}
+
+TEMPLATE_TEST_CASE_SIG("more bodies at one place than a frame takes are refused in a line",
+                       "[faults]", ((int Dim), Dim), 2, 3) {
+    // 10,000 bodies make 50 million pairs; where half of them stand still, 37 million.
+    for (const bool half_stands : {true, false}) {
+        std::vector<Body<Dim>> bodies(10'000, disc<Dim>(1, 1, {3, 4}, {1, 0}));
+        if (half_stands)
+            for (std::size_t i = 1; i < bodies.size(); i += 2) make_static(bodies[i]);
+        const std::uint64_t before = state_hash<Dim>(bodies);
+        FrameStorage<Dim> storage;
+        Budget none = Budget::node_tests(0);
+        try {
+            advance<Dim>(bodies, {}, none, storage);
+            FAIL("were taken");
+        } catch (const Error& error) {
+            CHECK(error.kind() == ErrorKind::limit_exceeded);
+            CHECK(std::string(error.what()) ==
+                  "more than 4194304 pairs of bodies are near each other, more than a frame takes; "
+                  "move the bodies apart, or take fewer");
+        }
+        CHECK(state_hash<Dim>(bodies) == before);
+        // The storage serves on.
+        bodies.resize(2);
+        CHECK(advance<Dim>(bodies, {}, none, storage).pairs.size() == 1);
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("bodies 1e9 m away meet as they do at the origin", "[faults]",
+                       ((int Dim), Dim), 2, 3) {
+    // Sixteenths are exact there, and so are all sums of this motion.
+    const auto meet = [](double far, const Budget& budget) {
+        std::vector<Body<Dim>> bodies{disc<Dim>(1, 1, {far, far}, {1, 0}),
+                                      disc<Dim>(1, 1, {far + 1.5, far}, {-1, 0}),
+                                      disc<Dim>(1, 1, {-3, 0})};
+        FrameStorage<Dim> storage;
+        Budget of_frame = budget;
+        const auto& record = advance<Dim>(bodies, {.time_step = 1.0 / 16}, of_frame, storage);
+        CHECK(record.pairs.size() == 1);
+        CHECK(record.impacts.size() == 1);
+        CHECK(bodies[0].velocity == planar<Dim>(-1, 0));
+        CHECK(bodies[1].velocity == planar<Dim>(1, 0));
+        CHECK(bodies[0].position == planar<Dim>(far - 1.0 / 16, far));
+        CHECK(bodies[2].position == planar<Dim>(-3, 0));
+    };
+    for (const double far : {0.0, 1e9, -1e9})
+        for (const Budget& budget : {Budget::unlimited(), Budget::node_tests(0)}) meet(far, budget);
+}
+
+TEMPLATE_TEST_CASE_SIG("trees that overlap 1e9 m away are not called apart", "[faults]",
+                       ((int Dim), Dim), 2, 3) {
+    auto bodies = heap<Dim>(325);
+    FrameRecord<Dim> near;
+    run<Dim>(bodies, {}, Budget::unlimited(), near);
+    for (Body<Dim>& body : bodies) body.position += planar<Dim>(1e9, -1e9);
+    FrameRecord<Dim> far;
+    for (const Priority priority : policies) {
+        run<Dim>(bodies, {.priority = priority}, Budget::node_tests(2000), far);
+        for (const PairRecord& pair : near.pairs) {
+            if (pair.verdict == Verdict::apart) continue;
+            const auto found = std::find_if(far.pairs.begin(), far.pairs.end(),
+                                            [&](const auto& p) { return p.bodies == pair.bodies; });
+            REQUIRE(found != far.pairs.end());
+            CHECK(found->verdict != Verdict::apart);
+        }
+    }
+}
+
+TEMPLATE_TEST_CASE_SIG("a frame of no time answers contacts and moves nothing", "[faults]",
+                       ((int Dim), Dim), 2, 3) {
+    const auto start = heap<Dim>(326);
+    for (const Priority priority : policies)
+        for (const Budget& budget : {Budget::unlimited(), Budget::node_tests(500)}) {
+            auto bodies = start;
+            FrameStorage<Dim> storage;
+            Budget of_frame = budget;
+            const FrameSettings settings{.time_step = 0, .priority = priority};
+            const auto& record = advance<Dim>(bodies, settings, of_frame, storage);
+            CHECK_FALSE(record.impacts.empty());
+            CHECK(record.energy_after <= record.energy_before * (1 + 1e-12));
+            for (std::size_t i = 0; i < bodies.size(); ++i) {
+                CHECK(bodies[i].position == start[i].position);
+                CHECK(std::isfinite(bodies[i].velocity.norm()));
+            }
+        }
+}
+
+TEST_CASE("more node pairs than a frame takes are refused before there is room for them",
+          "[faults]") {
+    FrontList list;
+    CHECK_THROWS_WITH(list.room_for(FrontList::most + 1),
+                      contains("pairs of nodes overlap at once, more than a frame takes; give it a "
+                               "quota or a level, or move the bodies apart"));
+    CHECK(list.room_for(100) != nullptr);
 }
