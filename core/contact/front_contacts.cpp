@@ -91,26 +91,35 @@ void FrontContacts<Dim>::find_patches(const PosedFront<Dim>& front) {
 }
 
 template <int Dim>
-std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedTree<Dim>& a,
-                                                            const PosedTree<Dim>& b,
+std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedFront<Dim>& front,
+                                                            const RelativePose<Dim>& b_in_a,
                                                             const NodePair& nodes,
                                                             const PairMotion<Dim>& motion) {
+    const auto& [a, b, pairs] = front;
     const NodeHulls<Dim>& hulls_a = a.tree().hulls;
     const NodeHulls<Dim>& hulls_b = b.tree().hulls;
     const bool round_a = hulls_a.is_round(nodes.a) || a.is_half_space();
     const bool round_b = hulls_b.is_round(nodes.b) || b.is_half_space();
     if (round_a && round_b) return meet_balls(a, b, nodes, motion);
-    hull_a_.pose(hulls_a.of(nodes.a), a.rotation(), motion.centre_a);
-    hull_b_.pose(hulls_b.of(nodes.b), b.rotation(), motion.centre_b);
     // Twice for the sums of products that a half-space takes (PosedTree::rounding).
-    return meet(hull_a_, hull_b_, motion, 2 * (a.rounding() + b.rounding()));
+    const double slack = 2 * (a.rounding() + b.rounding());
+    const Vector<Dim> centres =
+        b_in_a.of(b.tree().sphere(nodes.b).centre) - a.tree().sphere(nodes.a).centre;
+    if (hulls_apart<Dim>(hulls_a.corners_of(nodes.a), hulls_b.corners_of(nodes.b), b_in_a, centres,
+                         slack))
+        return std::nullopt;
+    if (std::exchange(posed_a_, nodes.a) != nodes.a)
+        hull_a_.pose(hulls_a.of(nodes.a), a.rotation(), motion.centre_a);
+    hull_b_.pose(hulls_b.of(nodes.b), b.rotation(), motion.centre_b);
+    return meet(hull_a_, hull_b_, motion, slack);
 }
 
-/// The group of two hulls, a new one where there is none.
+/// The group of two hulls, a new one where there is none. Neighbours often share it: `last` is that
+/// of the pair before.
 template <int Dim>
-std::int32_t FrontContacts<Dim>::group_of(const NodePair& best, std::size_t mask) {
-    if (!spoken_.empty() && spoken_.back().best == best)
-        return static_cast<std::int32_t>(spoken_.size()) - 1;
+std::int32_t FrontContacts<Dim>::group_of(const NodePair& best, std::int32_t last,
+                                          std::size_t mask) {
+    if (last >= 0 && spoken_[at(last)].best == best) return last;
     // Two odd constants that spread neighbouring numbers over all bits (those of Random).
     std::uint64_t place = static_cast<std::uint64_t>(best.a) * 0x9e3779b97f4a7c15u +
                           static_cast<std::uint64_t>(best.b) * 0xbf58476d1ce4e5b9u;
@@ -134,16 +143,20 @@ void FrontContacts<Dim>::group_by_hulls(const PosedFront<Dim>& front) {
     std::size_t room = 16;
     while (room < 2 * front.pairs.size()) room *= 2;
     if (slots_.size() < room) slots_.resize(room);
+    if (next_.size() < front.pairs.size()) next_.resize(front.pairs.size());
     ++front_number_;
     spoken_.clear();
-    refill(next_, front.pairs.size(), -1);
+    std::int32_t last = -1;
     for (std::size_t i = 0; i < front.pairs.size(); ++i) {
         const NodePair best{hulls_a.best(front.pairs[i].a), hulls_b.best(front.pairs[i].b)};
-        Spoken& group = spoken_[at(group_of(best, room - 1))];
+        last = group_of(best, last, room - 1);
+        Spoken& group = spoken_[at(last)];
         const auto pair = static_cast<std::int32_t>(i);
         (group.last < 0 ? group.first : next_[at(group.last)]) = pair;
         group.last = pair;
+        next_[i] = -1;
     }
+    if (spoken_.size() < 2) return;
     std::sort(spoken_.begin(), spoken_.end(), [](const Spoken& x, const Spoken& y) {
         return x.best.a != y.best.a ? x.best.a < y.best.a : x.best.b < y.best.b;
     });
@@ -156,8 +169,12 @@ void FrontContacts<Dim>::model_hulls(const PosedFront<Dim>& front, const PairMot
     const PosedTree<Dim>& a = front.a;
     group_by_hulls(front);
     touches_.clear();
+    posed_a_ = -1;
+    const Matrix<Dim> to_a = a.rotation().transpose();
+    const RelativePose<Dim> b_in_a{to_a * front.b.rotation(),
+                                   to_a * (front.b.position() - a.position())};
     for (const Spoken& group : spoken_) {
-        const std::optional<Manifold<Dim>> manifold = meet_nodes(a, front.b, group.best, motion);
+        const auto manifold = meet_nodes(front, b_in_a, group.best, motion);
         if (!manifold) continue;
         const std::size_t first = found.node_pairs.size();
         for (std::int32_t i = group.first; i >= 0; i = next_[at(i)])

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lodlab/core/contact/hull_contact.hpp"
+#include "lodlab/core/contact/hulls_apart.hpp"
 #include "lodlab/core/tree/traversal.hpp"
 
 namespace lod {
@@ -89,11 +90,11 @@ class FrontContacts {
     };
 
     void group_by_hulls(const PosedFront<Dim>& front);
-    [[nodiscard]] std::int32_t group_of(const NodePair& best, std::size_t mask);
+    [[nodiscard]] std::int32_t group_of(const NodePair& best, std::int32_t last, std::size_t mask);
     void model_hulls(const PosedFront<Dim>& front, const PairMotion<Dim>& motion,
                      FrontModel<Dim>& found);
-    [[nodiscard]] std::optional<Manifold<Dim>> meet_nodes(const PosedTree<Dim>& a,
-                                                          const PosedTree<Dim>& b,
+    [[nodiscard]] std::optional<Manifold<Dim>> meet_nodes(const PosedFront<Dim>& front,
+                                                          const RelativePose<Dim>& b_in_a,
                                                           const NodePair& nodes,
                                                           const PairMotion<Dim>& motion);
     void keep_deepest();
@@ -109,6 +110,7 @@ class FrontContacts {
     std::uint64_t front_number_ = 0;
     std::vector<Touch> touches_;
     PosedHull<Dim> hull_a_;
+    std::int32_t posed_a_ = -1;  ///< the node that hull_a_ is of
     PosedHull<Dim> hull_b_;
     std::vector<std::int32_t> first_a_;  ///< of each node of A: the first pair that has it, or -1
     std::vector<std::int32_t> first_b_;

@@ -95,6 +95,12 @@ class NodeHulls {
     [[nodiscard]] int size() const { return static_cast<int>(corner_begin_.size()) - 1; }
     /// The node's own, empty below a tight one. Requires: node < size().
     [[nodiscard]] HullView<Dim> of(int node) const;
+    /// The corners of of(node) alone.
+    [[nodiscard]] std::span<const Vector<Dim>> corners_of(int node) const {
+        const auto n = static_cast<std::size_t>(node);
+        const auto first = static_cast<std::size_t>(corner_begin_[n]);
+        return {corners_.data() + first, static_cast<std::size_t>(corner_begin_[n + 1]) - first};
+    }
     /// Whether Hull::tight was set for the node.
     [[nodiscard]] bool is_tight(int node) const { return tight_[static_cast<std::size_t>(node)]; }
 

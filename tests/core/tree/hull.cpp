@@ -4,7 +4,9 @@
 
 #include "lodlab/core/builder/fit_hull.hpp"
 #include "lodlab/core/builder/hollows.hpp"
+#include "lodlab/core/contact/hulls_apart.hpp"
 #include "lodlab/core/math/convex_cell.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "tests/catch.hpp"
 #include "tests/core/bodies.hpp"
 
@@ -219,6 +221,7 @@ TEMPLATE_TEST_CASE_SIG("hulls are proved apart where they share no point, and on
                        ((int Dim), Dim), 2, 3) {
     Random random(502);
     int apart = 0;
+    int told_along_lines = 0;
     for (int trial = 0; trial < 500; ++trial) {
         const auto points_a = cloud<Dim>(random, 4 + random.below(12));
         const auto points_b = cloud<Dim>(random, 4 + random.below(12));
@@ -228,6 +231,10 @@ TEMPLATE_TEST_CASE_SIG("hulls are proved apart where they share no point, and on
         const auto found = meet(posed(a, Vector<Dim>(Vector<Dim>::Zero())), posed(b, between),
                                 still<Dim>(between), 1e-12);
         apart += !found;
+        const bool along_lines = hulls_apart<Dim>(
+            a.corners_of(0), b.corners_of(0), {Matrix<Dim>::Identity(), between}, between, 1e-12);
+        if (found) CHECK_FALSE(along_lines);
+        told_along_lines += along_lines;
         // What both half-space intersections hold, by cutting one with the other.
         ConvexCell<Dim> both(Box<Dim>(Vector<Dim>::Constant(-5), Vector<Dim>::Constant(5)));
         for (std::size_t i = 0; i < a.of(0).normals.size(); ++i)
@@ -244,4 +251,28 @@ TEMPLATE_TEST_CASE_SIG("hulls are proved apart where they share no point, and on
     }
     CHECK(apart > 50);
     CHECK(apart < 450);
+    CHECK(told_along_lines >= 0.7 * apart);
+}
+
+TEMPLATE_TEST_CASE_SIG("hulls are told apart along lines by more than the slack, however they turn",
+                       "[hull]", ((int Dim), Dim), 2, 3) {
+    Vector<Dim> half = Vector<Dim>::Constant(1);
+    half[1] = 2;
+    const NodeHulls<Dim> box = only(hull_of<Dim>(box_corners<Dim>(half)));
+    const auto corners = box.corners_of(0);
+    // A quarter turn about z makes B's box reach 2 along x; with A's 1 they touch at 3.
+    const Matrix<Dim> turn = Space<Dim>::rotation(
+        Space<Dim>::turned(Space<Dim>::unturned(), planar_spin<Dim>(full_turn / 4)));
+    const auto apart = [&](double between, double slack) {
+        const Vector<Dim> shift = between * Vector<Dim>::Unit(0);
+        return hulls_apart<Dim>(corners, corners, {turn, shift}, shift, slack);
+    };
+    CHECK(apart(3.01, 1e-12));
+    CHECK(apart(3.01, 0.0099));
+    CHECK_FALSE(apart(3.01, 0.0101));
+    CHECK_FALSE(apart(2.99, 1e-12));
+    NodeHulls<Dim> border;
+    border.add_half_space(Vector<Dim>::Unit(0));
+    const Vector<Dim> far = 100 * Vector<Dim>::Unit(0);
+    CHECK_FALSE(hulls_apart<Dim>(border.corners_of(0), corners, {turn, far}, far, 1e-12));
 }
