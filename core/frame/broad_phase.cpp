@@ -45,12 +45,12 @@ void BroadPhase<Dim>::sort_out(std::span<const Body<Dim>> bodies,
             const Box<Dim> box = box_of(world_S[i], 0);
             if (!is_somewhere(box)) continue;
             movers_.push_back({box, number});
-            largest_ = std::max(largest_, world_S[i].sphere(0).radius);
+            largest_ = std::max(largest_, world_S[i].root().radius);
         }
     }
 }
 
-/// The pairs of half-spaces, in one pass over what moves.
+/// The pairs of half-spaces, in one pass over what moves for each.
 template <int Dim>
 void BroadPhase<Dim>::add_half_spaces(std::span<const PosedTree<Dim>> world_S, Executor* executor,
                                       std::vector<CandidatePair>& pairs) {
@@ -70,13 +70,13 @@ template <int Dim>
 void BroadPhase<Dim>::meet_half_spaces(std::span<const BodyBox<Dim>> movers,
                                        std::span<const PosedTree<Dim>> world_S,
                                        std::vector<CandidatePair>& pairs) const {
-    for (const BodyBox<Dim>& mover : movers) {
-        const PosedTree<Dim>& world = world_S[at(mover.body)];
-        const Sphere<Dim> root = world.sphere(0);
-        for (const std::int32_t wall : half_spaces_) {
-            const PosedTree<Dim>& of_wall = world_S[at(wall)];
-            const double slack = 2 * (of_wall.rounding() + world.rounding());
-            if (of_wall.half_space().side(root.centre) > root.radius + slack) continue;
+    for (const std::int32_t wall : half_spaces_) {
+        const HalfSpace<Dim> border = world_S[at(wall)].half_space();
+        const double rounding = world_S[at(wall)].rounding();
+        for (const BodyBox<Dim>& mover : movers) {
+            const PosedTree<Dim>& world = world_S[at(mover.body)];
+            const double slack = 2 * (rounding + world.rounding());
+            if (border.side(world.root().centre) > world.root().radius + slack) continue;
             pairs.push_back({std::min(wall, mover.body), std::max(wall, mover.body)});
         }
         check_candidates(pairs.size());

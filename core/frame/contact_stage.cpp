@@ -60,7 +60,7 @@ void ContactStage<Dim>::model_pairs(const ContactTask<Dim>& task, const Part& pa
         result.nodes.first = as_number(lists.node_pairs.size());
         if (finest != task.true_shapes.end() && finest->pair == as_number(p))
             take_exact(*finest++, lists, result);
-        else
+        else if (front.pairs.count > 0)
             model_front(task, p, worker, lists, result);
         result.contact_count = as_number(lists.impacts.size()) - result.first_contact;
     }

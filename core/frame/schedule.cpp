@@ -116,6 +116,10 @@ void Scheduler<Dim>::enter(const Frame& frame, const Part& part, int deepest) {
         const PosedTree<Dim>& b = frame.b(pair);
         test_roots(a, b, front, list);
         front.list = static_cast<std::int32_t>(part.worker);
+        if (front.pairs.count == 0) {  // most are apart
+            done.tests += front.tests;
+            continue;
+        }
         const int entry = std::max(entry_level(a, b, frame.task.levels.begin_at_entry), deepest);
         while (front.level < entry && !front.finest) {
             const std::uint64_t before = front.tests;

@@ -247,7 +247,9 @@ LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
 LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
     std::uint8_t rows[8 * FoundHits::most + 8];
     std::size_t row_count = 0;
+    std::uint64_t all = 0;
     for (std::size_t n = 0; n < found.count; ++n) {
+        all |= found.hits[n];
         const __m128i empty = _mm_cmpeq_epi8(
             _mm_cvtsi64_si128(static_cast<std::int64_t>(found.hits[n])), _mm_setzero_si128());
         const auto filled = static_cast<std::size_t>(~_mm_movemask_epi8(empty) & 0xff);
@@ -255,6 +257,7 @@ LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
         std::memcpy(rows + row_count, &named, 8);
         row_count += static_cast<std::size_t>(__builtin_popcountll(filled));
     }
+    const int halves = (all & 0xf0f0f0f0f0f0f0f0) == 0 ? 1 : 2;  // of a row's columns
     const auto* const bytes = reinterpret_cast<const std::uint8_t*>(found.hits);
     for (std::size_t i = 0; i < row_count; ++i) {
         const std::size_t row = rows[i];
@@ -262,7 +265,7 @@ LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
         std::int64_t base = 0;
         std::memcpy(&base, &found.first[row / 8], 8);
         const __m256i of_row = _mm256_set1_epi64x(base + static_cast<std::int64_t>(row % 8));
-        for (int half = 0; half < 2; ++half) {
+        for (int half = 0; half < halves; ++half) {
             std::int32_t four = 0;
             std::memcpy(&four, columns + 4 * half, 4);
             const __m256i of_b =

@@ -9,6 +9,7 @@ void PosedTree<Dim>::pose(const Body<Dim>& body) {
     tree_ = body.tree.get();
     rotation_ = Space<Dim>::rotation(body.orientation);
     position_ = body.position;
+    root_ = sphere(0);
     // In units of u = epsilon / 2, worst case, in space (less in the plane): the matrix of a
     // quaternion that is a unit to 4 u is off by 27 u, the sums of a carried centre by 7 u of the
     // extent and 6 u of the position, the distance test by 5 u of the two radii.

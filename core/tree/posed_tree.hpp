@@ -33,6 +33,9 @@ class PosedTree {
         return ball;
     }
 
+    /// The root's, which every candidate pair asks for.
+    [[nodiscard]] const Sphere<Dim>& root() const { return root_; }
+
     /// The node's mean normal (SphereTree::normal), turned to the world frame each time it is asked
     /// for: only the few nodes of a finished front need one.
     [[nodiscard]] Vector<Dim> mean_normal(int node) const {
@@ -62,6 +65,7 @@ class PosedTree {
     const SphereTree<Dim>* tree_ = nullptr;
     Matrix<Dim> rotation_ = Matrix<Dim>::Identity();
     Vector<Dim> position_ = Vector<Dim>::Zero();
+    Sphere<Dim> root_;
     double rounding_ = 0;
 };
 

@@ -221,11 +221,11 @@ class Level {
 template <int Dim>
 bool roots_meet(const PosedTree<Dim>& a, const PosedTree<Dim>& b) {
     const double slack = a.rounding() + b.rounding();
-    if (a.is_half_space()) return meets_border(a.half_space(), b.sphere(0), slack);
-    if (b.is_half_space()) return meets_border(b.half_space(), a.sphere(0), slack);
-    Sphere<Dim> root_a = a.sphere(0);
+    if (a.is_half_space()) return meets_border(a.half_space(), b.root(), slack);
+    if (b.is_half_space()) return meets_border(b.half_space(), a.root(), slack);
+    Sphere<Dim> root_a = a.root();
     root_a.radius += slack;
-    return overlap(root_a, b.sphere(0));
+    return overlap(root_a, b.root());
 }
 
 }  // namespace
@@ -256,12 +256,12 @@ Refinement refine(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budg
         return Refinement::interrupted;
     }
     list.replace(front, level.begin());
-    bool any_leaf_pair = level.only_leaves() && front.pairs.count > 0;
-    bool any_children = false;
     if (level.only_leaves()) {
-        conclude(front, any_leaf_pair, false);
+        conclude(front, front.pairs.count > 0, false);
         return Refinement::finished;
     }
+    bool any_leaf_pair = false;
+    bool any_children = false;
     for (const NodePair& pair : list.pairs_of(front)) {
         const bool leaves = a.tree().is_leaf(pair.a) && b.tree().is_leaf(pair.b);
         any_leaf_pair |= leaves;
