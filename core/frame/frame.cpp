@@ -72,7 +72,8 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
         storage.true_shapes.refine({bodies, storage.candidates, storage.scheduler.rank(task),
                                     settings.finest, settings.time_step},
                                    budget, storage.fronts);
-    storage.record.spending = {storage.scheduler.counts(), budget.tests_left(), {}};
+    storage.record.spending = {
+        storage.scheduler.counts(), budget.tests_left(), {}, budget.after_levels()};
     storage.record.cut = budget.cut();
     storage.record.tests = budget.spent() - spent_before;
     storage.contacts.model({bodies,

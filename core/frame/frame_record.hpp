@@ -39,6 +39,15 @@ struct Spending {
     std::optional<std::uint64_t> tests_left = {};
     /// Of a quota on a clock, at the end of the frame; negative where it was overrun.
     std::optional<std::chrono::nanoseconds> time_left = {};
+    /// The same when the levels were done, and what was held back of it then.
+    std::optional<AfterLevels> after_levels = {};
+};
+
+/// Which levels a frame reached, over the pairs that nothing proved apart: those that it answered.
+struct LevelsReached {
+    std::size_t pairs = 0;
+    int least = -1;   ///< -1: there was none
+    double mean = 0;  ///< 0 where there was none
 };
 
 /// Every stage's result of one frame. Pictures, lessons, traces and metrics read it and never hook
@@ -67,6 +76,18 @@ struct FrameRecord {
 
     /// Whether the budget ended before the finest level.
     [[nodiscard]] bool interrupted() const { return cut.has_value(); }
+    /// Its levels.
+    [[nodiscard]] LevelsReached levels_reached() const {
+        LevelsReached reached;
+        for (const PairRecord& pair : pairs) {
+            if (pair.verdict == Verdict::apart) continue;
+            ++reached.pairs;
+            reached.mean += pair.level;
+            if (reached.least < 0 || pair.level < reached.least) reached.least = pair.level;
+        }
+        if (reached.pairs > 0) reached.mean /= static_cast<double>(reached.pairs);
+        return reached;
+    }
     /// The node pairs of a pair or behind a contact.
     [[nodiscard]] std::span<const NodePair> nodes_of(const Range& range) const {
         return range.of(std::span<const NodePair>(node_pairs));

@@ -168,6 +168,10 @@ std::optional<std::chrono::nanoseconds> Budget::time_left() const {
     return deadline_ ? std::optional(deadline_->left()) : std::nullopt;
 }
 
+std::optional<AfterLevels> Budget::after_levels() const {
+    return deadline_ ? std::optional(deadline_->after_levels()) : std::nullopt;
+}
+
 Work Budget::work(std::uint64_t more_pairs) const {
     return {spent_ + begun_ * tests_of_a_level, node_pairs_ + more_pairs};
 }

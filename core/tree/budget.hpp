@@ -105,6 +105,8 @@ class Budget {
     [[nodiscard]] std::optional<std::uint64_t> tests_left() const;
     /// Time until the deadline, negative after it; nothing without one. Reads the clock.
     [[nodiscard]] std::optional<std::chrono::nanoseconds> time_left() const;
+    /// The same when the levels were done, with what was kept of it; nothing without a clock.
+    [[nodiscard]] std::optional<AfterLevels> after_levels() const;
     /// Whether it was made by unlimited().
     [[nodiscard]] bool is_unlimited() const { return !deadline_ && !counted_ && !until_; }
     /// Whether it has refused something.

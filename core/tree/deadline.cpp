@@ -51,6 +51,11 @@ void Deadline::levels_done(const Work& done) {
     pairs_at_end_ = done.node_pairs;
 }
 
+AfterLevels Deadline::after_levels() const {
+    const double reserved = static_cast<double>(pairs_at_end_) * pair_time_;
+    return {end_ - levels_end_, std::chrono::nanoseconds(static_cast<std::int64_t>(reserved))};
+}
+
 void Deadline::divide(std::uint64_t node_pairs) {
     const auto left = static_cast<double>(this->left().count());
     const double least = static_cast<double>(node_pairs) * pair_time_;

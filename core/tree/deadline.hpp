@@ -29,6 +29,15 @@ struct Work {
     std::uint64_t node_pairs = 0;  ///< to be modelled and answered
 };
 
+/// What was left of a quota on a clock when the levels of a frame were done.
+struct AfterLevels {
+    std::chrono::nanoseconds left{};      ///< negative where the quota was over
+    std::chrono::nanoseconds reserved{};  ///< held back for what follows; more than what was left,
+                                          ///< where the levels that are always done took too long
+    /// Whether they are the same.
+    friend bool operator==(const AfterLevels&, const AfterLevels&) = default;
+};
+
 /// How long things take on a clock, as earlier frames measured it.
 struct Pace {
     double test = 4;  ///< [ns] a node test; before any was measured: of a slow processor
@@ -72,6 +81,9 @@ class Deadline {
     [[nodiscard]] double pair_cost() const { return pair_time_ / pace_; }
     /// Negative when it is over. Looks at the clock.
     [[nodiscard]] std::chrono::nanoseconds left() const { return end_ - clock_->now(); }
+
+    /// At the end of the levels.
+    [[nodiscard]] AfterLevels after_levels() const;
 
     /// No processor is faster than that: what a clock that stands still is taken for.
     static constexpr double least_pace = 0.05;

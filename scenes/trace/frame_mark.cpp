@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "lodlab/core/math/bit_hash.hpp"
+#include "lodlab/io/whole_number.hpp"
 #include "lodlab/scenes/trace/trace_json.hpp"
 
 namespace scenes {
@@ -65,6 +66,10 @@ std::uint64_t hash_from(const Json& json) {
     return from_hexadecimal(json.get_ref<const std::string&>());
 }
 
+std::chrono::nanoseconds time_from(const Json& json) {
+    return std::chrono::nanoseconds(io::whole_number<std::int64_t>(json));
+}
+
 }  // namespace
 
 template <int Dim>
@@ -87,6 +92,8 @@ FrameMark mark_of(const Step<Dim>& step, const std::vector<State<Dim>>& after) {
     mark.hashes.motion = step.state_hash;
     mark.bodies.reserve(after.size());
     for (const State<Dim>& state : after) mark.bodies.push_back(small_hash(state));
+    mark.time_left = step.record.spending.time_left;
+    mark.after_levels = step.record.spending.after_levels;
     return mark;
 }
 
@@ -98,15 +105,20 @@ std::uint64_t hash_of(const std::vector<State<Dim>>& states) {
 }
 
 Json json_of(std::int64_t frame, const FrameMark& mark) {
-    return {{"frame", frame},
-            {"cut", json_of(mark.cut)},
-            {"state_hash", hexadecimal(mark.hashes.motion)},
-            {"stages",
-             {{"pairs", hexadecimal(mark.hashes.pairs)},
-              {"levels", hexadecimal(mark.hashes.levels)},
-              {"contacts", hexadecimal(mark.hashes.contacts)},
-              {"impulses", hexadecimal(mark.hashes.impulses)}}},
-            {"marks", digits(mark.bodies)}};
+    Json json = {{"frame", frame},
+                 {"cut", json_of(mark.cut)},
+                 {"state_hash", hexadecimal(mark.hashes.motion)},
+                 {"stages",
+                  {{"pairs", hexadecimal(mark.hashes.pairs)},
+                   {"levels", hexadecimal(mark.hashes.levels)},
+                   {"contacts", hexadecimal(mark.hashes.contacts)},
+                   {"impulses", hexadecimal(mark.hashes.impulses)}}},
+                 {"marks", digits(mark.bodies)}};
+    if (mark.time_left && mark.after_levels)
+        json["time"] = {{"left", mark.time_left->count()},
+                        {"after_levels", mark.after_levels->left.count()},
+                        {"reserved", mark.after_levels->reserved.count()}};
+    return json;
 }
 
 FrameMark mark_from(const Json& json) {
@@ -119,6 +131,10 @@ FrameMark mark_from(const Json& json) {
     mark.hashes.contacts = hash_from(stages.at("contacts"));
     mark.hashes.impulses = hash_from(stages.at("impulses"));
     mark.bodies = bodies_from(json.at("marks").get_ref<const std::string&>());
+    if (!json.contains("time")) return mark;
+    const Json& time = json.at("time");
+    mark.time_left = time_from(time.at("left"));
+    mark.after_levels = {time_from(time.at("after_levels")), time_from(time.at("reserved"))};
     return mark;
 }
 

@@ -4,6 +4,7 @@
 /// A run in a file, to be played again to the same bits, interruptions included, from any frame on.
 
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -54,6 +55,9 @@ struct FrameMark {
     /// A small hash a body, of its state after the frame. Empty in version 2, whose `hashes` have
     /// `motion` alone.
     std::vector<std::uint16_t> bodies;
+    /// Of a frame on a clock: what was left of its quota at its end, and when its levels were done.
+    std::optional<std::chrono::nanoseconds> time_left = {};
+    std::optional<lod::AfterLevels> after_levels = {};  ///< see time_left
 };
 
 /// Frames in a row, from one whose bodies the trace tells.

@@ -152,6 +152,8 @@ void TracePlayer<Dim>::run_next() {
     const bool old = told.bodies.empty();
     if (const auto stage = first_difference(played.hashes, told.hashes, old))
         throw Divergence(trace_, {frame, *stage, first_other(played.bodies, told.bodies)});
+    step_.record.spending.time_left = told.time_left;  // the run's, not the replay's
+    step_.record.spending.after_levels = told.after_levels;
     step_of_ = frame;
     states_.push_back(std::move(after));
 }

@@ -223,3 +223,20 @@ TEST_CASE("a cut from before levels could be left out ends where it says", "[bud
     CHECK(granted.size() == 4 * 3 + 3);
     CHECK(budget.cut() == Cut{1, 2, 7, {}});
 }
+
+TEST_CASE("a deadline tells what was left after the levels, and what of it was kept", "[budget]") {
+    FakeClock clock;
+    Budget budget = Budget::deadline(clock, 1000ns, 30ns);
+    clock.time += 200ns;
+    budget.expect({1, 0});
+    clock.time += 300ns;
+    budget.reserve(10);
+    budget.levels_done();
+    clock.time += 100ns;
+    REQUIRE(budget.after_levels());
+    CHECK(budget.after_levels()->left == 500ns);
+    CHECK(budget.after_levels()->reserved == 300ns);
+    CHECK(budget.time_left() == 400ns);
+    CHECK_FALSE(Budget::node_tests(100, 30).after_levels());
+    CHECK_FALSE(Budget::unlimited().after_levels());
+}
