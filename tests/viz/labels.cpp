@@ -86,3 +86,42 @@ TEST_CASE("a huge disc is its rim where the rim passes, all or nothing elsewhere
     for (const Point& p : rim) top = std::min(top, p.y);
     CHECK(top == Approx(30).margin(0.01));
 }
+
+TEST_CASE("names in a column keep the order of their curves, apart and within bounds", "[labels]") {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        lodtest::Random random(seed);
+        std::vector<LabelRequest> requests(static_cast<std::size_t>(3 + random.below(8)));
+        for (LabelRequest& request : requests) {
+            request.anchor = {700, random.in(20, 580)};
+            request.extent = {random.in(20, 130), 22};
+        }
+        REQUIRE(end_in_column(requests, 720));
+        const auto placed = place_in_column(requests, 734, page);
+        INFO("seed " << seed);
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            CHECK(placed[i].box.x == 734);
+            CHECK(placed[i].box.y >= page.y);
+            CHECK(placed[i].box.bottom() <= page.bottom());
+            for (std::size_t j = 0; j < i; ++j) {
+                CHECK(overlap_area(placed[i].box, placed[j].box) == 0);
+                if (requests[i].anchor.y != requests[j].anchor.y)
+                    CHECK((placed[i].box.y < placed[j].box.y) ==
+                          (requests[i].anchor.y < requests[j].anchor.y));
+            }
+        }
+    }
+}
+
+TEST_CASE("a name in a column that has room stands beside its curve's end", "[labels]") {
+    const auto placed = place_in_column({{{700, 100}, 0, {80, 22}, {}},
+                                         {{700, 300}, 0, {80, 22}, {}},
+                                         {{700, 310}, 0, {80, 22}, {}}},
+                                        734, page);
+    CHECK(placed[0].box.y + 11 == Approx(100));
+    CHECK((placed[1].box.y + placed[2].box.bottom()) / 2 == Approx(305));
+    CHECK_FALSE(end_in_column({{{700, 100}, 0, {80, 22}, {}}, {{700, 300}, 0, {80, 22}, {}}}, 720));
+    CHECK_FALSE(end_in_column({{{700, 100}, 0, {80, 22}, {}},
+                               {{300, 300}, 0, {80, 22}, {}},
+                               {{700, 310}, 0, {80, 22}, {}}},
+                              720));
+}

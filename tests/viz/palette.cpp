@@ -141,6 +141,49 @@ TEST_CASE("what grey print cannot tell by ink, line and fill tell", "[palette]")
     }
 }
 
+TEST_CASE("levels are told apart by ink, with every common colour deficiency and in grey",
+          "[palette]") {
+    for (const Theme theme : themes) {
+        const auto ink = [&](int level) {
+            return *pen(theme, Style{.role = Role::reached, .level = level}).inside;
+        };
+        double before = lightness(ink(0));
+        const double way = lightness(ink(deepest_ink)) - before;
+        for (int level = 1; level <= deepest_ink; ++level) {
+            INFO(name(theme) << ", level " << level);
+            const double here = lightness(ink(level));
+            CHECK(std::abs(here - before) > 7);
+            CHECK((here - before) * way > 0);  // grey print keeps their order
+            before = here;
+            for (const Eye& eye : eyes)
+                for (int other = -1; other < level; ++other)
+                    CHECK(distance(eye, ink(level), ink(other)) > 14);
+        }
+        CHECK(ink(deepest_ink + 3) == ink(deepest_ink));
+        CHECK(distance(eyes[0], ink(-1), ink(0)) > 18);
+    }
+}
+
+TEST_CASE("six curves are told apart by ink or by dashes", "[palette]") {
+    for (const Theme theme : themes)
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < i; ++j) {
+                const Pen a = pen(theme, Role::curve, i);
+                const Pen b = pen(theme, Role::curve, j);
+                INFO(name(theme) << ", " << i << " and " << j);
+                CHECK((a.dashed != b.dashed || !(a.ink == b.ink)));
+            }
+}
+
+TEST_CASE("the parts of a bar are told apart by tone, the overrun by ink", "[palette]") {
+    for (const Theme theme : themes) {
+        const auto tone = [&](int part) { return *pen(theme, Role::share, part).inside; };
+        for (int part = 1; part < 4; ++part)
+            CHECK(std::abs(lightness(tone(part)) - lightness(tone(part - 1))) > 10);
+        CHECK(contrast(pen(theme, Role::excess, 0).ink, page_inks(theme).ground) > 3);
+    }
+}
+
 TEST_CASE("every ink stands out from the ground, and words can be read", "[palette]") {
     for (const Theme theme : themes) {
         const PageInks page = page_inks(theme);

@@ -16,7 +16,7 @@ using sample::SmallDisk;
 
 namespace {
 
-const std::vector<std::string> endings{"mp4", "webm", "gif"};
+const std::vector<std::string> film_endings{"mp4", "webm", "gif"};
 
 Figure frame(int number) {
     Figure figure;
@@ -144,7 +144,7 @@ TEST_CASE("a draft has half the frames in the same time", "[video]") {
 
 TEST_CASE("the same frames give the same bytes", "[video]") {
     const Scratch folder;
-    for (const std::string& ending : endings) {
+    for (const std::string& ending : film_endings) {
         INFO(ending);
         write_animation(folder / ("a." + ending), crossing());
         write_animation(folder / ("b." + ending), crossing());
@@ -176,7 +176,7 @@ TEST_CASE("progress counts the frames up to the last", "[video]") {
 
 TEST_CASE("an interrupted video leaves nothing behind", "[video]") {
     const Scratch folder;
-    for (const std::string& ending : endings) {
+    for (const std::string& ending : film_endings) {
         INFO(ending);
         WriteOptions options;
         options.progress = [](const Progress& progress) {
@@ -191,7 +191,7 @@ TEST_CASE("an interrupted video leaves nothing behind", "[video]") {
 
 TEST_CASE("a video on a full disk is an error, and no file is left", "[video]") {
     const Scratch folder;
-    for (const std::string& ending : endings) {
+    for (const std::string& ending : film_endings) {
         for (const rlim_t bytes : {100u, 5000u}) {
             INFO(ending << ", " << bytes << " bytes");
             const SmallDisk disk(bytes);

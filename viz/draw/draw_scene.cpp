@@ -41,7 +41,12 @@ Panel blank_panel(const View<Dim>& view) {
 template <int Dim>
 void add_body(Panel& panel, const Actor<Dim>& actor, int number, double opacity) {
     const Role role = actor.body.is_static() ? Role::wall : Role::body;
-    add_outline(panel, actor, {.role = role, .body = number, .opacity = opacity});
+    add_body(panel, actor, {.role = role, .body = number, .opacity = opacity});
+}
+
+template <int Dim>
+void add_body(Panel& panel, const Actor<Dim>& actor, const Style& style) {
+    add_outline(panel, actor, style);
     DrawTraits<Dim>::add_shadow(panel, actor.body);
 }
 
@@ -232,6 +237,8 @@ template Panel blank_panel<2>(const View<2>&);
 template Panel blank_panel<3>(const View<3>&);
 template void add_body<2>(Panel&, const Actor<2>&, int, double);
 template void add_body<3>(Panel&, const Actor<3>&, int, double);
+template void add_body<2>(Panel&, const Actor<2>&, const Style&);
+template void add_body<3>(Panel&, const Actor<3>&, const Style&);
 template void add_ghost<2>(Panel&, const Actor<2>&, int, double);
 template void add_ghost<3>(Panel&, const Actor<3>&, int, double);
 template void add_nodes<2>(Panel&, const lod::Body<2>&, std::span<const int>, const Style&);

@@ -22,6 +22,10 @@ template <int Dim>
 template <int Dim>
 void add_body(Panel& panel, const Actor<Dim>& actor, int number, double opacity = 1);
 
+/// The same in any style.
+template <int Dim>
+void add_body(Panel& panel, const Actor<Dim>& actor, const Style& style);
+
 /// The outline as it was at another time.
 template <int Dim>
 void add_ghost(Panel& panel, const Actor<Dim>& actor, int number, double opacity);

@@ -72,6 +72,8 @@ void check_axis(const Axis& axis, double low, double high, const Place& place) {
 }
 
 void check(const Panel& panel, const Place& place) {
+    for (const Entry& entry : panel.entries) place.share(entry.style.opacity, "an opacity");
+    if (!panel.entries.empty()) return;
     place.point(panel.view.low, "the view");
     place.point(panel.view.high, "the view");
     const double width = panel.view.high.x - panel.view.low.x;

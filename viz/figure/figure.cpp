@@ -46,6 +46,12 @@ const char* role_name(Role role) {
             return "band";
         case Role::construction:
             return "construction";
+        case Role::reached:
+            return "reached";
+        case Role::share:
+            return "share";
+        case Role::excess:
+            return "excess";
         case Role::note:
             return "note";
     }

@@ -41,8 +41,14 @@ enum class Role {
     curve,         ///< a curve of a plot, in the ink of series `body`
     band,          ///< what a curve spreads over, in the ink of series `body`
     construction,  ///< lines that only help to see: centre lines, radii, lids
+    reached,       ///< a body filled by the level that its pairs reached: `level`
+    share,         ///< a part of a bar, told from its neighbours by tone: `body` 0, 1, ...
+    excess,        ///< the part of a bar that is beyond what it may be
     note,          ///< words
 };
+
+/// The deepest level that Role::reached has an ink of its own for; deeper ones share it.
+inline constexpr int deepest_ink = 5;
 
 /// The role's name in JSON: "meeting_node".
 [[nodiscard]] const char* role_name(Role role);
@@ -50,8 +56,9 @@ enum class Role {
 /// Belongs to every mark.
 struct Style {
     Role role = Role::note;
-    int body = 0;        ///< whose ink: 0 is A, 1 is B, more follow; series number in a plot
-    int level = -1;      ///< of the tree, for readers of the data; -1 where it has none
+    int body = 0;    ///< whose ink: 0 is A, 1 is B, more follow; series number in a plot
+    int level = -1;  ///< of the tree, -1 where it has none: for readers of the data, and the ink
+                     ///< of Role::reached
     double opacity = 1;  ///< 0 to 1: age of a ghost, a mark that is just appearing
 };
 
@@ -210,6 +217,7 @@ struct Axis {
     Scale scale = Scale::linear;
     std::vector<double> ticks;   ///< chosen by the canvas when empty
     bool whole_numbers = false;  ///< ticks at whole numbers only (levels, counts)
+    bool hidden = false;         ///< neither ticks nor name: the values mean nothing
 };
 
 /// The axes of a plot.
@@ -226,6 +234,13 @@ struct Cell {
     int columns = 1;
 };
 
+/// A line of a list: what is drawn so, and how much there is of it.
+struct Entry {
+    Style style;
+    std::string words;
+    std::string value{};  ///< at the right end
+};
+
 /// One picture of a figure. A scene keeps its shape (one metre is as long across as up) and shows
 /// at least `view`; a plot (with axes) stretches `view` over its cell. A scene in space is drawn
 /// first, as its camera sees it; marks are drawn over it in order, words last.
@@ -236,7 +251,13 @@ struct Panel {
     std::vector<Mark> marks;
     std::optional<Cell> cell;  ///< the next free cell when not set
     std::optional<SpaceScene> space{};
+    std::vector<Entry> entries{};  ///< where there are any the panel is a list of them, no picture
 };
+
+/// Whether a panel shows a scene: it is neither a plot nor a list.
+[[nodiscard]] inline bool shows_scene(const Panel& panel) {
+    return !panel.axes && panel.entries.empty();
+}
 
 /// A number that matters, shown top right: "tests", "48".
 struct Quantity {

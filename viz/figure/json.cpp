@@ -6,7 +6,8 @@
 //    "axes": {"x": {"label", "scale"}, "y": ...} or absent,
 //    "marks": [{"mark": "disc|dot|path|polyline|arrow|label", "role", "body", "level", "opacity",
 //               ... what the mark holds: "centre" and "radius"; "at"; "rings"; "points",
-//               "end_label"; "tail", "tip", "label"; "anchor", "text"}]}]}
+//               "end_label"; "tail", "tip", "label"; "anchor", "text"}],
+//    "entries": [{"role", "body", "level", "words", "value"}] or absent}]}
 // A scene in space adds to its panel:
 //   "space": {"camera": {"eye", "target", "up", "perspective"},
 //    "balls": [{"role", "body", "level", "opacity", "centre", "radius"}],
@@ -137,6 +138,13 @@ ordered_json data(const Panel& panel, Meshes& meshes) {
     if (panel.axes) json["axes"] = {{"x", data(panel.axes->x)}, {"y", data(panel.axes->y)}};
     json["marks"] = ordered_json::array();
     for (const Mark& mark : panel.marks) json["marks"].push_back(data(mark));
+    for (const Entry& entry : panel.entries) {
+        ordered_json one;
+        put(one, entry.style);
+        one["words"] = plain_text(entry.words);
+        one["value"] = plain_text(entry.value);
+        json["entries"].push_back(std::move(one));
+    }
     if (panel.space) json["space"] = data(*panel.space, meshes);
     return json;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace viz {
 namespace {
@@ -43,6 +44,10 @@ constexpr double cost_of_area = 60;
 constexpr double cost_of_distance = 1.5;  ///< half or double: as twice or half that of an area
 /// Room about words that lines keep clear of: 1.56 and 1.44 units of outline a word.
 constexpr double clear = 2;
+/// How near to a plot's right side curves end whose names may stand in a column.
+constexpr double column_reach = 30;
+/// Between words in a column.
+constexpr double column_gap = 1;
 /// Half the side of the square about what another word names: nothing.
 constexpr double anchor_half = 3;
 
@@ -184,6 +189,56 @@ std::vector<PlacedLabel> place_labels(const std::vector<LabelRequest>& requests,
             best = box;
         }
         placed.push_back(with_leader(best, request));
+    }
+    return placed;
+}
+
+bool end_in_column(const std::vector<LabelRequest>& requests, double right) {
+    return requests.size() >= fewest_in_column &&
+           std::all_of(requests.begin(), requests.end(), [&](const LabelRequest& request) {
+               return request.anchor.x > right - column_reach;
+           });
+}
+
+std::vector<PlacedLabel> place_in_column(const std::vector<LabelRequest>& requests, double x,
+                                         const Rect& bounds) {
+    std::vector<std::size_t> order(requests.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+        return requests[i].anchor.y < requests[j].anchor.y;
+    });
+    // Runs of words that touch stand as a block, its middle at the mean of what they wish for.
+    struct Block {
+        double wish = 0;  ///< sum over its words of the top that it would have for that word
+        double height = 0;
+        std::size_t words = 0;
+        [[nodiscard]] double top() const { return wish / static_cast<double>(words); }
+    };
+    std::vector<Block> blocks;
+    for (const std::size_t i : order) {
+        const double height = requests[i].extent.height + column_gap;
+        blocks.push_back({requests[i].anchor.y - height / 2, height, 1});
+        while (blocks.size() > 1) {
+            Block& before = blocks[blocks.size() - 2];
+            const Block& last = blocks.back();
+            if (before.top() + before.height <= last.top()) break;
+            before.wish += last.wish - static_cast<double>(last.words) * before.height;
+            before.height += last.height;
+            before.words += last.words;
+            blocks.pop_back();
+        }
+    }
+    std::vector<PlacedLabel> placed(requests.size());
+    std::size_t next = 0;
+    for (const Block& block : blocks) {
+        double y =
+            std::clamp(block.top(), bounds.y, std::max(bounds.y, bounds.bottom() - block.height));
+        for (std::size_t k = 0; k < block.words; ++k) {
+            const LabelRequest& request = requests[order[next]];
+            const Rect box{x, y + column_gap / 2, request.extent.width, request.extent.height};
+            placed[order[next++]] = {box, true, {x - 3, middle(box).y}, request.anchor};
+            y += request.extent.height + column_gap;
+        }
     }
     return placed;
 }

@@ -41,4 +41,16 @@ struct PlacedLabel {
 
 [[nodiscard]] double overlap_area(const Rect& a, const Rect& b);
 
+/// Whether words are the names of many curves that end at the right side of a plot, where they
+/// would push each other about.
+[[nodiscard]] bool end_in_column(const std::vector<LabelRequest>& requests, double right);
+inline constexpr std::size_t fewest_in_column = 3;
+inline constexpr double column_room = 14;  ///< from that side to the names
+
+/// Words beside a list of points that lie one above the other, as ends of curves do: all of them
+/// right of `x`, in the order of their anchors, each as near to its own as the others leave room;
+/// with a leader line where that is not beside it.
+[[nodiscard]] std::vector<PlacedLabel> place_in_column(const std::vector<LabelRequest>& requests,
+                                                       double x, const Rect& bounds);
+
 }  // namespace viz

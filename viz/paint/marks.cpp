@@ -29,7 +29,8 @@ class Painter {
   public:
     Painter(const PanelPlace& place, bool plot, const PanelInk& ink, const Hidden& hidden,
             Canvas& canvas)
-        : label_size_(!plot && place.frame.width > wide_panel ? 1.25 * label_size : label_size),
+        : plot_(plot),
+          label_size_(!plot && place.frame.width > wide_panel ? 1.25 * label_size : label_size),
           map_(place.mapping),
           frame_(place.frame),
           theme_(ink.theme),
@@ -72,6 +73,7 @@ class Painter {
     [[nodiscard]] std::vector<Stretch> stretches_of(const std::vector<Point>& points,
                                                     const std::vector<double>& depths) const;
 
+    bool plot_;
     double label_size_;
     const Mapping& map_;
     Rect frame_;
@@ -88,8 +90,8 @@ const Style& style_of(const Mark& mark) {
     return std::visit([](const auto& held) -> const Style& { return held.style; }, mark);
 }
 
-bool same_pen(const Style& a, const Style& b) {
-    return a.role == b.role && a.body == b.body && a.opacity == b.opacity;
+Rgb inside_of(const Pen& pen) {
+    return pen.inside.value_or(pen.ink);
 }
 
 void Painter::paint(const std::vector<Mark>& marks) {
@@ -109,7 +111,7 @@ void Painter::paint(const std::vector<Mark>& marks) {
 
 void Painter::paint_discs(const std::vector<Mark>& marks, std::size_t first, std::size_t last) {
     const Style& style = style_of(marks[first]);
-    const Pen pen = viz::pen(theme_, style.role, style.body);
+    const Pen pen = viz::pen(theme_, style);
     std::vector<Canvas::Circle> discs;
     for (std::size_t i = first; i < last; ++i) {
         const Disc& disc = std::get<Disc>(marks[i]);
@@ -117,13 +119,13 @@ void Painter::paint_discs(const std::vector<Mark>& marks, std::size_t first, std
         if (circle.radius > huge_radius) {
             const Ring part = clipped_disc(circle.centre, circle.radius, reach_);
             if (part.empty()) continue;
-            canvas_.fill(std::vector<Ring>{part}, pen.ink, pen.fill * style.opacity);
+            canvas_.fill(std::vector<Ring>{part}, inside_of(pen), pen.fill * style.opacity);
             canvas_.stroke({part}, true, {pen.ink, pen.width, style.opacity, pen.dashed});
         } else if (contains(grown(reach_, circle.radius), circle.centre)) {
             discs.push_back(circle);
         }
     }
-    if (pen.fill > 0) canvas_.fill(discs, pen.ink, pen.fill * style.opacity);
+    if (pen.fill > 0) canvas_.fill(discs, inside_of(pen), pen.fill * style.opacity);
     for (const Canvas::Circle& disc : discs)
         paint_disc_line(disc, pen, style.opacity, discs.size() > many_discs);
 }
@@ -154,7 +156,7 @@ void Painter::paint_disc_line(const Canvas::Circle& disc, Pen pen, double opacit
 void Painter::paint(const Dot& dot) {
     const Point at = map_(dot.at);
     if (!contains(reach_, at)) return;
-    const Pen pen = viz::pen(theme_, dot.style.role, dot.style.body);
+    const Pen pen = viz::pen(theme_, dot.style);
     const double share =
         frame_.width < narrow_panel || frame_.height < 0.5 * narrow_panel ? 0.7 : 1;
     const double radius = share * dot_radius * dot.size;
@@ -162,11 +164,13 @@ void Painter::paint(const Dot& dot) {
     const double opacity = dot.style.opacity * (is_hidden(at, dot.depth) ? faint : 1);
     canvas_.fill({{at, room}}, ground_, opacity);
     canvas_.fill({{at, radius}}, pen.ink, opacity);
+    if (dot.style.role == Role::curve && pen.dashed)
+        canvas_.fill({{at, 0.5 * radius}}, ground_, opacity);
     obstacles_.boxes.push_back({at.x - room, at.y - room, 2 * room, 2 * room});
 }
 
 void Painter::paint(const Path& path) {
-    const Pen pen = viz::pen(theme_, path.style.role, path.style.body);
+    const Pen pen = viz::pen(theme_, path.style);
     std::vector<Ring> rings;
     for (const Ring& ring : path.rings) {
         Ring mapped;
@@ -175,7 +179,7 @@ void Painter::paint(const Path& path) {
         if (mapped.size() >= 2) rings.push_back(std::move(mapped));
     }
     if (rings.empty()) return;
-    if (pen.fill > 0) canvas_.fill(rings, pen.ink, pen.fill * path.style.opacity);
+    if (pen.fill > 0) canvas_.fill(rings, inside_of(pen), pen.fill * path.style.opacity);
     if (pen.width > 0)
         canvas_.stroke(rings, true, {pen.ink, pen.width, path.style.opacity, pen.dashed});
     if (path.style.role == Role::ghost || path.style.role == Role::band) return;
@@ -185,7 +189,7 @@ void Painter::paint(const Path& path) {
 
 void Painter::paint(const Polyline& line) {
     if (line.points.empty()) return;
-    const Pen pen = viz::pen(theme_, line.style.role, line.style.body);
+    const Pen pen = viz::pen(theme_, line.style);
     std::vector<Point> mapped;
     for (const Point& p : line.points) mapped.push_back(map_(p));
     const Point end = mapped.back();
@@ -279,7 +283,7 @@ void Painter::paint_fading(const std::vector<Point>& points, const Pen& pen, dou
 }
 
 void Painter::paint(const Arrow& arrow) {
-    const Pen pen = viz::pen(theme_, arrow.style.role, arrow.style.body);
+    const Pen pen = viz::pen(theme_, arrow.style);
     const Point tail = map_(arrow.tail);
     const Point tip = map_(arrow.tip);
     const double length = std::hypot(tip.x - tail.x, tip.y - tail.y);
@@ -324,7 +328,7 @@ void Painter::paint(const Label& label) {
 void Painter::add_words(const Style& style, const std::string& words, Point anchor,
                         double clearance, Point away) {
     if (words.empty() || !contains(grown(frame_, 2), anchor)) return;
-    Rgb ink = viz::pen(theme_, style.role, style.body).ink;
+    Rgb ink = viz::pen(theme_, style).ink;
     if (style.role == Role::node) ink = page_inks(theme_).muted;
     Text text{.words = words,
               .size = label_size_,
@@ -355,7 +359,10 @@ void Painter::add_outline(const Ring& ring, bool closed, double cost) {
 void Painter::paint_words(const Rect& bounds) {
     std::vector<LabelRequest> requests;
     for (const Words& words : words_) requests.push_back(words.request);
-    const std::vector<PlacedLabel> placed = place_labels(requests, obstacles_, bounds);
+    const bool in_column = plot_ && end_in_column(requests, frame_.right());
+    const std::vector<PlacedLabel> placed =
+        in_column ? place_in_column(requests, frame_.right() + column_room, bounds)
+                  : place_labels(requests, obstacles_, bounds);
     for (std::size_t i = 0; i < placed.size(); ++i) {
         const Text& text = words_[i].text;
         if (placed[i].leader)

@@ -29,7 +29,7 @@ int chosen_columns(const Figure& figure) {
     const int count = std::max(1, static_cast<int>(figure.panels.size()));
     double view_aspect = 1.5;
     for (const Panel& panel : figure.panels)
-        if (!panel.axes)
+        if (shows_scene(panel))
             view_aspect =
                 (panel.view.high.x - panel.view.low.x) / (panel.view.high.y - panel.view.low.y);
     const double page_aspect = figure.aspect * 1.2;  // what titles and caption leave of the page
@@ -162,7 +162,7 @@ Rect cell_rect(const Cell& cell, const Parts& rows, const Parts& columns) {
 /// A panel's title stands above its frame, or within its corner where the rows have titles already.
 PanelPlace place_panel(const Panel& panel, Rect cell, bool title_within, Canvas& canvas) {
     PanelPlace place;
-    if (title_within && !panel.axes) {
+    if (title_within && shows_scene(panel)) {
         place.title = {cell.x + 10, cell.y + 6, cell.width - 20, panel.title.empty() ? 0.0 : 22.0};
         place.frame = cell;
         return place;
@@ -173,6 +173,28 @@ PanelPlace place_panel(const Panel& panel, Rect cell, bool title_within, Canvas&
     cell.height = std::max(10.0, cell.height - title);
     place.frame = panel.axes ? plot_frame(panel, cell, canvas) : cell;
     return place;
+}
+
+/// Plots one above the other begin and end together, so that what is across is the same in both.
+void align_plots(const Figure& figure, const Grid& grid, PageLayout& layout) {
+    const auto is_stacked = [&](std::size_t i, std::size_t j) {
+        return figure.panels[i].axes && figure.panels[j].axes && !figure.panels[i].axes->x.hidden &&
+               !figure.panels[j].axes->x.hidden && grid.cells[i].column == grid.cells[j].column &&
+               grid.cells[i].columns == grid.cells[j].columns;
+    };
+    std::vector<Rect> aligned;
+    for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+        Rect frame = layout.panels[i].frame;
+        for (std::size_t j = 0; j < figure.panels.size(); ++j) {
+            if (!is_stacked(i, j)) continue;
+            const Rect& other = layout.panels[j].frame;
+            const double right = std::min(frame.right(), other.right());
+            frame.x = std::max(frame.x, other.x);
+            frame.width = std::max(20.0, right - frame.x);
+        }
+        aligned.push_back(frame);
+    }
+    for (std::size_t i = 0; i < aligned.size(); ++i) layout.panels[i].frame = aligned[i];
 }
 
 double fitting_scale(const Panel& panel, const Rect& frame) {
@@ -196,13 +218,14 @@ double map_views(const Figure& figure, PageLayout& layout) {
     double shared = std::numeric_limits<double>::infinity();
     int scenes = 0;
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-        if (figure.panels[i].axes) continue;
+        if (!shows_scene(figure.panels[i])) continue;
         shared = std::min(shared, fitting_scale(figure.panels[i], layout.panels[i].frame));
         ++scenes;
     }
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
         const Panel& panel = figure.panels[i];
         PanelPlace& place = layout.panels[i];
+        if (!panel.entries.empty()) continue;
         if (panel.axes) {
             place.mapping = {panel.view, place.frame, panel.axes->x.scale, panel.axes->y.scale};
             continue;
@@ -245,7 +268,7 @@ PageLayout lay_out_page(const Figure& figure, Canvas& canvas) {
     place_numbers(figure, canvas, content, layout);
 
     bool has_scene = false;
-    for (const Panel& panel : figure.panels) has_scene = has_scene || !panel.axes;
+    for (const Panel& panel : figure.panels) has_scene = has_scene || shows_scene(panel);
     const bool bar = figure.scale_bar && has_scene;
     place_caption(figure, canvas, bar ? 290 : 0, content, layout);
 
@@ -255,6 +278,7 @@ PageLayout lay_out_page(const Figure& figure, Canvas& canvas) {
         layout.panels.push_back(
             place_panel(figure.panels[i], cell_rect(grid.cells[i], division.rows, division.columns),
                         !figure.row_titles.empty(), canvas));
+    align_plots(figure, grid, layout);
     const double scale = map_views(figure, layout);
     constexpr double longest_bar = 130;
     if (bar && scale > 0) layout.bar_metres = round_length(longest_bar / scale);
@@ -262,7 +286,7 @@ PageLayout lay_out_page(const Figure& figure, Canvas& canvas) {
 }
 
 bool title_within(const Panel& panel, const PanelPlace& place) {
-    return !panel.axes && place.title.y > place.frame.y;
+    return shows_scene(panel) && place.title.y > place.frame.y;
 }
 
 Text title_text(const Figure& figure, const PageInks& inks, double width) {
@@ -312,7 +336,7 @@ Text heading(const std::string& words, const PageInks& inks, double width) {
 
 Text bar_text(const PageLayout& layout, const Figure& figure, const PageInks& inks) {
     int scenes = 0;
-    for (const Panel& panel : figure.panels) scenes += panel.axes ? 0 : 1;
+    for (const Panel& panel : figure.panels) scenes += shows_scene(panel) ? 1 : 0;
     const std::string where = scenes > 1 ? " in every panel" : "";
     return {.words = length_text(layout.bar_metres) + where,
             .size = 16,

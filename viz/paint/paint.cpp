@@ -6,6 +6,7 @@
 #include "lodlab/io/files/output_file.hpp"
 #include "lodlab/viz/figure/check.hpp"
 #include "lodlab/viz/paint/canvas/themes.hpp"
+#include "lodlab/viz/paint/entries.hpp"
 #include "lodlab/viz/paint/marks.hpp"
 #include "lodlab/viz/paint/page.hpp"
 #include "lodlab/viz/paint/plot.hpp"
@@ -36,7 +37,8 @@ void paint_scale_bar(const Figure& figure, const PageLayout& layout, const PageI
     if (layout.bar_metres <= 0) return;
     double length = 0;
     for (std::size_t i = 0; i < figure.panels.size() && length == 0; ++i)
-        if (!figure.panels[i].axes) length = layout.panels[i].mapping.length(layout.bar_metres);
+        if (shows_scene(figure.panels[i]))
+            length = layout.panels[i].mapping.length(layout.bar_metres);
     const Rect& box = layout.scale_bar;
     const double y = box.y + 12;
     const double x = box.right();
@@ -117,6 +119,12 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas) {
         const Panel& panel = figure.panels[i];
         const PanelPlace& place = layout.panels[i];
         Rgb ground = inks.ground;
+        if (!panel.title.empty() && !shows_scene(panel))
+            canvas.write(panel_title(panel, inks, place), top_left(place.title));
+        if (!panel.entries.empty()) {
+            paint_entries(panel.entries, place.frame, theme, canvas);
+            continue;
+        }
         if (panel.axes) {
             paint_axes(panel, place, inks, canvas);
         } else if (figure.panels.size() > 1) {
@@ -130,7 +138,7 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas) {
         const Hidden hidden =
             panel.space ? paint_space(panel, place, theme, ground, canvas) : Hidden();
         paint_marks(panel, place, {theme, ground}, hidden, canvas);
-        if (!panel.title.empty())
+        if (!panel.title.empty() && shows_scene(panel))
             canvas.write(panel_title(panel, inks, place), top_left(place.title),
                          title_within(panel, place) ? &ground : nullptr);
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "lodlab/viz/figure/figure.hpp"
 #include "lodlab/viz/paint/options.hpp"
@@ -21,6 +22,7 @@ struct Pen {
     double width = 1;
     double fill = 0;  ///< opacity of the inside
     bool dashed = false;
+    std::optional<Rgb> inside = {};  ///< where that is another ink than the line's
     bool doubled = false;  ///< a second line inside the first, so that grey print shows it
 };
 
@@ -34,8 +36,14 @@ struct PageInks {
 };
 
 /// The inks are told apart by readers with common colour deficiencies, and bodies A and B in grey
-/// print too; tests/viz/palette.cpp holds them to it. Bodies beyond the third take the inks again.
+/// print too; tests/viz/palette.cpp holds them to it. Bodies beyond the third take the inks again;
+/// curves beyond the third do so dashed.
 [[nodiscard]] Pen pen(Theme theme, Role role, int body);
+/// The same of a mark: of Role::reached each level has an ink of its own up to deepest_ink, that
+/// of deeper ones; none (-1) is grey.
+[[nodiscard]] Pen pen(Theme theme, const Style& style);
+/// Whether two marks are drawn alike.
+[[nodiscard]] bool same_pen(const Style& a, const Style& b);
 [[nodiscard]] PageInks page_inks(Theme theme);
 [[nodiscard]] Rgb body_ink(Theme theme, int body);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lodlab/viz/figure/number_text.hpp"
+#include "lodlab/viz/paint/labels.hpp"
 
 namespace viz {
 namespace {
@@ -71,6 +72,7 @@ int wanted_up(double height) {
 /// Room at the right for the names of the curves that end there.
 double room_for_names(const Panel& panel, Canvas& canvas) {
     double room = room_right;
+    std::size_t names = 0;
     const double late = panel.view.low.x + 0.7 * (panel.view.high.x - panel.view.low.x);
     for (const Mark& mark : panel.marks) {
         const auto* curve = std::get_if<Polyline>(&mark);
@@ -79,13 +81,15 @@ double room_for_names(const Panel& panel, Canvas& canvas) {
         const Text name{
             .words = curve->end_label, .size = label_size, .weight = Weight::medium, .ink = {}};
         room = std::max(room, canvas.measure(name).width + 16);
+        ++names;
     }
-    return room;
+    return names < fewest_in_column ? room : room + column_room;
 }
 
 }  // namespace
 
 std::vector<Tick> ticks_of(const Axis& axis, double low, double high, int wanted) {
+    if (axis.hidden) return {};
     if (!axis.ticks.empty()) {
         std::vector<Tick> ticks;
         for (const double at : axis.ticks)
@@ -103,7 +107,7 @@ Rect plot_frame(const Panel& panel, const Rect& cell, Canvas& canvas) {
         left =
             std::max(left, canvas.measure(tick_text(tick.words, PageInks{}, Align::right)).width);
     left += 10;
-    const double bottom = panel.axes->x.label.empty() ? 28 : 52;
+    const double bottom = panel.axes->x.hidden ? 6 : panel.axes->x.label.empty() ? 28 : 52;
     return {cell.x + left, cell.y + room_top,
             std::max(20.0, cell.width - left - room_for_names(panel, canvas)),
             std::max(20.0, cell.height - room_top - bottom)};

@@ -53,6 +53,7 @@ Solidity solidity_of(Role role) {
     switch (role) {
         case Role::body:
         case Role::wall:
+        case Role::reached:
             return {1, 1, 1, 1.25};
         case Role::ghost:
             return {0.24, 0.5, 0.5, 1};
@@ -175,9 +176,9 @@ Box cover_of(const Eye& eye, const Vector3& centre, double radius) {
     return {{p.x - pixels - 1, p.y - pixels - 1}, {p.x + pixels + 1, p.y + pixels + 1}};
 }
 
-class Painter {
+class SpacePainter {
   public:
-    Painter(const SpaceScene& scene, const SpaceRendering& choice)
+    SpacePainter(const SpaceScene& scene, const SpaceRendering& choice)
         : choice_(choice),
           eye_(scene.camera, choice.view, choice.width),
           light_(Vector3(-0.55, 0.75, -0.5).normalized()),
@@ -186,11 +187,11 @@ class Painter {
         if (scene.ground) ground_.emplace(*scene.ground, eye_, choice.theme, choice.line);
         for (const Ball& ball : scene.balls) prepare(ball);
         for (const Facets& facets : scene.facets) {
-            const Pen look = pen(choice.theme, facets.style.role, facets.style.body);
+            const Pen look = pen(choice.theme, facets.style);
             const Solidity how = solidity_of(facets.style.role);
             const double opacity = facets.style.opacity;  // lines of a clear body stay strong
-            coats_.push_back({Shades(look.ink, choice.theme, false), how.fill * opacity,
-                              how.line * std::sqrt(opacity)});
+            coats_.push_back({Shades(look.inside.value_or(look.ink), choice.theme, false),
+                              how.fill * opacity, how.line * std::sqrt(opacity)});
             layers_.emplace_back(
                 facets, eye_, light_,
                 SurfaceLayer::Grain{how.width * choice.line, choice.height, samples});
@@ -214,7 +215,7 @@ class Painter {
     };
 
     void prepare(const Ball& ball) {
-        const Pen look = pen(choice_.theme, ball.style.role, ball.style.body);
+        const Pen look = pen(choice_.theme, ball.style);
         const Vector3 centre = eye_.seen(vector3(ball.centre));
         const Box cover = cover_of(eye_, centre, ball.radius);
         Solidity how = solidity_of(ball.style.role);
@@ -222,13 +223,12 @@ class Painter {
         const double pixels = (cover.high.x - cover.low.x) / 2;
         how.width = std::min(how.width * choice_.line, std::max(0.6, 0.16 * pixels));
         tiles_.add(static_cast<int>(lit_.size()), cover);
-        const auto family = std::find_if(families_.begin(), families_.end(), [&](const Style& of) {
-            return of.role == ball.style.role && of.body == ball.style.body &&
-                   of.opacity == ball.style.opacity;
-        });
+        const auto family = std::find_if(families_.begin(), families_.end(),
+                                         [&](const Style& of) { return same_pen(of, ball.style); });
         const auto number = static_cast<std::size_t>(family - families_.begin());
         if (family == families_.end()) families_.push_back(ball.style);
-        lit_.push_back({centre, ball.radius, Shades(look.ink, choice_.theme, true), how,
+        lit_.push_back({centre, ball.radius,
+                        Shades(look.inside.value_or(look.ink), choice_.theme, true), how,
                         ball.style.opacity, ball.style.body, number});
     }
 
@@ -358,7 +358,7 @@ SpacePicture render_space(const SpaceScene& scene, const SpaceRendering& choice)
     SpacePicture picture{{choice.width, choice.height, 4 * choice.width, {}}, {}};
     picture.image.pixels.resize(4 * pixels);
     picture.depth.resize(pixels);
-    Painter painter(scene, choice);
+    SpacePainter painter(scene, choice);
     for (int row = 0; row < choice.height; row += SurfaceLayer::band_rows) {
         lod::check_interrupted();
         painter.draw_band(row, picture);
