@@ -100,6 +100,7 @@ ComparedRun run_level(const Compared& scene, const lod::FrameSettings& settings,
     scenes::RunOptions run;
     run.settings = settings;
     run.frames = options.frames;
+    run.executor = options.executor;
     run.progress = progress;
     ComparedRun compared;
     compared.level = settings.deepest_level;

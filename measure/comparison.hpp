@@ -51,6 +51,7 @@ struct ComparisonOptions {
     std::int64_t frames = 1;
     lod2d::Box2dSettings box2d;  ///< raised and shortened where shapes are too fine or fast
     PerceivedSettings perceived;
+    lod::Executor* executor = nullptr;  ///< whose threads do the parts of frames; it changes no bit
     std::function<void(double share)> progress{};  ///< called with the share done, 0 to 1
 };
 

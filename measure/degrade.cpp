@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/executor.hpp"
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/core/exact/exact_shape.hpp"
 #include "lodlab/measure/first_impact.hpp"
@@ -33,6 +34,8 @@ Collision<Dim> collision_of(const Push<Dim>& push) {
             {push.before[0], push.before[1]},
             {push.after[0], push.after[1]}};
 }
+
+constexpr std::size_t impacts_of_a_batch = 8;  // of each worker
 
 /// The measuring of one share.
 template <int Dim>
@@ -229,11 +232,24 @@ Outcomes degrade(const Plan& plan, std::span<const MeasuredShape<Dim>> shapes,
                  const DegradeOptions& options) {
     check_plan(plan, options.share);
     Outcomes outcomes{plan, {}};
-    Measurement<Dim> measurement(plan, shapes, options.clock);
-    for (int number = 0; number < plan.impacts; ++number) {
-        if (!options.share.holds(number)) continue;
-        outcomes.impacts.push_back(measurement.measure(number));
-        if (options.progress) options.progress((number + 1.0) / plan.impacts);
+    for (int number = 0; number < plan.impacts; ++number)
+        if (options.share.holds(number)) outcomes.impacts.push_back({number, {}});
+    const std::size_t workers = lod::workers_of(options.executor);
+    std::vector<Measurement<Dim>> measurements;
+    for (std::size_t i = 0; i < workers; ++i)
+        measurements.emplace_back(plan, shapes, options.clock);
+    const std::span<ImpactSample> impacts(outcomes.impacts);
+    // A batch at a time, so that this thread tells of progress.
+    const std::size_t batch = workers * impacts_of_a_batch;
+    for (std::size_t done = 0; done < impacts.size(); done += batch) {
+        const auto some = impacts.subspan(done, std::min(batch, impacts.size() - done));
+        lod::each_part(options.executor, some.size(), 1, [&](const lod::Part& part) {
+            for (ImpactSample& impact : some.subspan(part.begin, part.end - part.begin))
+                impact = measurements[part.worker].measure(impact.number);
+        });
+        if (options.progress)
+            options.progress(static_cast<double>(done + some.size()) /
+                             static_cast<double>(impacts.size()));
     }
     return outcomes;
 }

@@ -85,7 +85,9 @@ struct Outcomes {
 /// How a measurement goes; nothing here changes a result.
 struct DegradeOptions {
     Share share;
-    const lod::Clock* clock = nullptr;       ///< nothing: times are 0, and every bit is repeatable
+    const lod::Clock* clock = nullptr;  ///< nothing: times are 0, and every bit is repeatable
+    /// Whose threads do impacts; several at a time share the machine, so their times are longer.
+    lod::Executor* executor = nullptr;
     std::function<void(double)> progress{};  ///< share of the work done, 0 to 1
 };
 

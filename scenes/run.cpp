@@ -29,11 +29,7 @@ lod::Budget budget_until(const std::optional<lod::Cut>& cut) {
 
 lod::Budget frame_budget(const RunOptions& options, std::int64_t frame) {
     if (!options.cuts.empty()) return budget_until(options.cuts[static_cast<std::size_t>(frame)]);
-    if (options.limits.milliseconds)
-        return lod::Budget::deadline(*options.clock, nanoseconds(*options.limits.milliseconds),
-                                     time_of_a_node_pair);
-    if (options.limits.node_tests) return lod::Budget::node_tests(*options.limits.node_tests);
-    return lod::Budget::unlimited();
+    return budget_of(options.limits, options.clock);
 }
 
 template <int Dim>
@@ -65,6 +61,14 @@ int index_at(std::uint64_t place, const std::vector<std::uint64_t>& counts) {
 }
 
 }  // namespace
+
+lod::Budget budget_of(const Limits& limits, const lod::Clock* clock) {
+    if (limits.milliseconds)
+        return lod::Budget::deadline(*clock, nanoseconds(*limits.milliseconds),
+                                     time_of_a_node_pair);
+    if (limits.node_tests) return lod::Budget::node_tests(*limits.node_tests);
+    return lod::Budget::unlimited();
+}
 
 template <int Dim>
 State<Dim> state_of(const lod::Body<Dim>& body) {

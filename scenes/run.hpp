@@ -111,6 +111,9 @@ template <int Dim>
 /// visits the response may take at most is counted (FrameRecord::reserved_row_visits).
 inline constexpr std::chrono::nanoseconds time_of_a_node_pair{250};
 
+/// What a frame may spend under limits; `clock` is required with milliseconds, and must outlive it.
+[[nodiscard]] lod::Budget budget_of(const Limits& limits, const lod::Clock* clock);
+
 /// Runs the bodies for options.frames frames. The same bodies and options give the same bits,
 /// except with milliseconds; such a run has the cuts with which it can be replayed. Throws
 /// lod::Error (limit exceeded) when a body leaves the range that numbers and pictures hold, and

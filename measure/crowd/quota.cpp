@@ -2,34 +2,21 @@
 
 #include <algorithm>
 
-#include "lodlab/core/base/stop.hpp"
+#include "lodlab/core/base/lists.hpp"
+#include "lodlab/measure/crowd/frames_without.hpp"
 
 namespace measure {
 namespace {
 
-/// What a frame of the run without a quota began with, and ended with.
-template <int Dim>
-struct FrameWithout {
-    std::vector<lod::Body<Dim>> before;
-    std::vector<lod::Body<Dim>> after;
-};
+using detail::FrameWithout;
 
-/// Sum over bodies of |m (dv - dv_ref)|, and of |m dv_ref|.
+/// Sums over bodies of |m (dv - dv_ref)|, and of |m dv_ref|.
 struct MomentumChanges {
     double wrong = 0;
     double all = 0;
-};
 
-template <int Dim>
-void add(const FrameWithout<Dim>& reference, const std::vector<lod::Body<Dim>>& after,
-         MomentumChanges& changes) {
-    for (std::size_t i = 0; i < after.size(); ++i) {
-        if (after[i].is_static()) continue;
-        const double mass = 1 / after[i].inverse_mass;
-        changes.wrong += mass * (after[i].velocity - reference.after[i].velocity).norm();
-        changes.all += mass * (reference.after[i].velocity - reference.before[i].velocity).norm();
-    }
-}
+    [[nodiscard]] double share_wrong() const { return all > 0 ? wrong / all : 0; }
+};
 
 /// One quota and priority, over the frames so far.
 template <int Dim>
@@ -38,72 +25,85 @@ class Trial {
     Trial(const QuotaPlan<Dim>& plan, lod::Priority priority, std::uint64_t quota)
         : settings_(plan.settings), quota_(quota) {
         settings_.priority = priority;
+        storage_.executor = plan.executor;
     }
 
-    void frame(const FrameWithout<Dim>& reference) {
+    void frame(const FrameWithout<Dim>& reference, std::span<const double> attention) {
         bodies_ = reference.before;
         lod::Budget budget = lod::Budget::node_tests(quota_);
         const auto& record = lod::advance<Dim>(bodies_, settings_, budget, storage_);
-        add(reference, bodies_, changes_);
-        for (const lod::PairRecord& pair : record.pairs) {
-            if (pair.verdict == lod::Verdict::apart) continue;
-            levels_ += pair.level;
-            ++pairs_;
-        }
+        add(reference, attention);
+        const lod::LevelsReached reached = record.levels_reached();
+        levels_ += reached.mean * static_cast<double>(reached.pairs);
+        pairs_ += static_cast<double>(reached.pairs);
         cut_ += record.interrupted() ? 1 : 0;
         ++frames_;
     }
 
     [[nodiscard]] QuotaOutcome outcome() const {
-        return {quota_, changes_.all > 0 ? changes_.wrong / changes_.all : 0,
+        return {quota_, changes_.share_wrong(), attended_.share_wrong(),
                 levels_ / std::max(1.0, pairs_), cut_ / std::max(1.0, frames_)};
     }
 
   private:
+    void add(const FrameWithout<Dim>& reference, std::span<const double> attention) {
+        for (std::size_t i = 0; i < bodies_.size(); ++i) {
+            if (bodies_[i].is_static()) continue;
+            const double mass = 1 / bodies_[i].inverse_mass;
+            const lod::Vector<Dim>& right = reference.after[i].velocity;
+            const double wrong = mass * (bodies_[i].velocity - right).norm();
+            const double all = mass * (right - reference.before[i].velocity).norm();
+            changes_.wrong += wrong;
+            changes_.all += all;
+            attended_.wrong += attention[i] * wrong;
+            attended_.all += attention[i] * all;
+        }
+    }
+
     lod::FrameSettings settings_;
     std::uint64_t quota_;
     lod::FrameStorage<Dim> storage_;
     std::vector<lod::Body<Dim>> bodies_;
     MomentumChanges changes_;
+    MomentumChanges attended_;  ///< weighted by attention
     double levels_ = 0;
     double pairs_ = 0;
     double cut_ = 0;
     double frames_ = 0;
 };
 
-/// Calls frame(reference) for each frame without a quota. Returns the most tests that one needs.
-template <int Dim, class Frame>
-std::uint64_t run(const QuotaPlan<Dim>& plan, const Frame& frame) {
-    FrameWithout<Dim> reference;
-    reference.after.assign(plan.bodies.begin(), plan.bodies.end());
-    lod::FrameStorage<Dim> storage;
-    std::uint64_t dearest = 0;
-    for (std::int64_t i = 0; i < plan.frames; ++i) {
-        lod::check_interrupted();
-        reference.before = reference.after;
-        lod::Budget budget = lod::Budget::unlimited();
-        dearest = std::max(
-            dearest, lod::advance<Dim>(reference.after, plan.settings, budget, storage).tests);
-        frame(reference, static_cast<double>(i + 1) / static_cast<double>(plan.frames));
-    }
-    return dearest;
-}
-
 }  // namespace
 
 template <int Dim>
+std::vector<double> body_attention(const lod::Viewer& viewer,
+                                   std::span<const lod::Body<Dim>> bodies,
+                                   std::span<const lod::CandidatePair> pairs) {
+    lod::Attention<Dim> attention;
+    std::vector<double> of_pair;
+    attention.weigh(viewer, bodies, pairs, of_pair);
+    std::vector<double> most(bodies.size(), 0.0);
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        for (const std::int32_t body : {pairs[i].a, pairs[i].b})
+            most[lod::at(body)] = std::max(most[lod::at(body)], of_pair[i]);
+    return most;
+}
+
+template <int Dim>
 QuotaOutcomes try_quotas(const QuotaPlan<Dim>& plan) {
+    const detail::RunWithout<Dim> run{plan.bodies, plan.settings, plan.frames, plan.executor};
     QuotaOutcomes outcomes;
-    outcomes.dearest = run(plan, [](const FrameWithout<Dim>&, double) {});
+    outcomes.dearest = detail::run_without(run, [](const FrameWithout<Dim>&) {});
     std::vector<Trial<Dim>> trials;
     for (const lod::Priority priority : plan.priorities)
         for (const double share : plan.shares)
             trials.emplace_back(
                 plan, priority,
                 static_cast<std::uint64_t>(share * static_cast<double>(outcomes.dearest)));
-    run(plan, [&](const FrameWithout<Dim>& reference, double done) {
-        for (Trial<Dim>& trial : trials) trial.frame(reference);
-        if (plan.progress) plan.progress(done);
+    detail::run_without(run, [&](const FrameWithout<Dim>& reference) {
+        const std::vector<double> attention =
+            body_attention<Dim>(plan.settings.viewer, reference.before, reference.candidates);
+        for (Trial<Dim>& trial : trials) trial.frame(reference, attention);
+        if (plan.progress) plan.progress(reference.done);
     });
     for (std::size_t i = 0; i < trials.size(); ++i) {
         if (i % plan.shares.size() == 0) outcomes.of_priority.emplace_back();
@@ -112,7 +112,12 @@ QuotaOutcomes try_quotas(const QuotaPlan<Dim>& plan) {
     return outcomes;
 }
 
-template QuotaOutcomes try_quotas(const QuotaPlan<2>&);
-template QuotaOutcomes try_quotas(const QuotaPlan<3>&);
+#define MEASURE_INSTANTIATE(Dim)                              \
+    template QuotaOutcomes try_quotas(const QuotaPlan<Dim>&); \
+    template std::vector<double> body_attention(              \
+        const lod::Viewer&, std::span<const lod::Body<Dim>>, std::span<const lod::CandidatePair>);
+MEASURE_INSTANTIATE(2)
+MEASURE_INSTANTIATE(3)
+#undef MEASURE_INSTANTIATE
 
 }  // namespace measure

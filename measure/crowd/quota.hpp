@@ -20,6 +20,7 @@ struct QuotaPlan {
     std::int64_t frames = 1;
     std::vector<double> shares;  ///< quotas, as shares of the tests that the dearest frame needs
     std::vector<lod::Priority> priorities;
+    lod::Executor* executor = nullptr;             ///< whose threads do frames; it changes no bit
     std::function<void(double share)> progress{};  ///< called after every frame with the share done
 };
 
@@ -29,6 +30,9 @@ struct QuotaOutcome {
     /// Sum over frames and bodies of |m (dv - dv_ref)| over that of |m dv_ref|, dv what the
     /// impulses of a frame change: 0 where every impulse is right, 1 where there are none.
     double error = 0;
+    /// The same with each body weighted by its attention (body_attention): the error where the
+    /// observer of settings.viewer looks.
+    double attended_error = 0;
     double level = 0;  ///< mean last finished level of the pairs that are not apart
     double cut = 0;    ///< share of the frames that the quota cut short
 };
@@ -43,5 +47,12 @@ struct QuotaOutcomes {
 /// same state, so that errors are those of one frame and never of a run that has gone another way.
 template <int Dim>
 [[nodiscard]] QuotaOutcomes try_quotas(const QuotaPlan<Dim>& plan);
+
+/// The attention of each body: the most that one of its pairs has (lod::Attention, what
+/// Priority::perceptual goes by); 0 where it has no pair. Requires: the pairs' bodies are there.
+template <int Dim>
+[[nodiscard]] std::vector<double> body_attention(const lod::Viewer& viewer,
+                                                 std::span<const lod::Body<Dim>> bodies,
+                                                 std::span<const lod::CandidatePair> pairs);
 
 }  // namespace measure

@@ -90,3 +90,56 @@ TEST_CASE("an error is the share of the momentum that goes wrong") {
         CHECK(rows[1].cut == 0);
     }
 }
+
+TEST_CASE("an attended error weighs each body by the most attention that a pair of it has") {
+    // Where the observer looks at one couple of boxes that are pushed though they pass, and another
+    // couple far from there meets rightly, more of what is attended is wrong than of all; and less
+    // where the other couple is looked at. By hand: a couple has one weight, w; each changes by
+    // 2 and 4 kg m/s (see above).
+    const lod2d::Shape square = lod2d::generate("box:1,1");
+    const auto tree = std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(square));
+    const auto disc = std::make_shared<const lod::SphereTree<2>>(
+        lod::single_sphere<2>({lod::Vector<2>::Zero(), 0.5}));
+    const auto body = [&](const auto& of, double x, double y, double speed) {
+        lod::Body<2> made;
+        lod::set_mass<2>(made, 1, lod::Inertia<2>::Constant(1.0 / 6));
+        made.tree = of;
+        made.position = {x, y};
+        made.velocity = {speed, 0};
+        return made;
+    };
+    const std::vector<lod::Body<2>> bodies{body(tree, 0, 0, 1), body(tree, 0.5, 1.1, -1),
+                                           body(disc, 5, 0, 1), body(disc, 5.99, 0, -1)};
+    const double wrong = 4 * 0.5 / std::sqrt(0.25 + 1.21);
+    for (const double fixation : {0.0, 5.0}) {
+        lod::FrameSettings settings;
+        settings.contact_model = lod::ContactModel::centre_line;
+        settings.viewer.fixation = {fixation, 0, 0};
+        const std::vector<lod::CandidatePair> pairs{{0, 1}, {2, 3}};
+        const auto weight = measure::body_attention<2>(settings.viewer, bodies, pairs);
+        CHECK(weight[0] == weight[1]);
+        CHECK(weight[2] == weight[3]);
+        CHECK((weight[0] > weight[2]) == (fixation == 0));
+        const auto outcomes = tried(bodies, {0, 1}, 1, settings);
+        for (const std::vector<QuotaOutcome>& rows : outcomes.of_priority) {
+            CHECK(rows[0].error == Approx(wrong / 4).epsilon(1e-6));
+            CHECK(rows[0].attended_error ==
+                  Approx(weight[0] * wrong / (4 * weight[2])).epsilon(1e-6));
+            CHECK(rows[1].attended_error == 0);
+        }
+    }
+}
+
+TEST_CASE("a body without a pair has no attention, and one of many the most of them") {
+    std::vector<lod::Body<2>> bodies(crowd().begin(), crowd().end());
+    const lod::Viewer viewer;
+    const std::vector<lod::CandidatePair> pairs{{0, 1}, {0, 59}};
+    lod::Attention<2> attention;
+    std::vector<double> of_pair;
+    attention.weigh(viewer, bodies, pairs, of_pair);
+    const auto weight = measure::body_attention<2>(viewer, bodies, pairs);
+    CHECK(weight[0] == std::max(of_pair[0], of_pair[1]));
+    CHECK(weight[1] == of_pair[0]);
+    CHECK(weight[59] == of_pair[1]);
+    CHECK(weight[2] == 0);
+}

@@ -42,7 +42,7 @@ MAY_INCLUDE = {
     "scenes": ["core", "io", "lod2d", "lod3d"],
     "scenes/crowd": ["core", "lod2d", "scenes"],
     "scenes/trace": ["core", "io", "scenes"],
-    "scenes/threads": ["core/base"],
+    "scenes/threads": ["core/base", "core/tree"],
     "measure/reference": ["core", "lod2d/shape"],
     "measure/crowd": ["core"],
     "measure": ["core", "io", "lod2d", "lod3d", "scenes", "measure/reference"],
