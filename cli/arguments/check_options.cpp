@@ -1,6 +1,7 @@
 #include "cli/arguments/check_options.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -23,14 +24,23 @@ constexpr Alone alone[] = {
     {"tree", "--list", "", "only prints what there is"},
     {"degrade", "--merge", "--out --json --theme --quality", "takes the rest from the shares"},
     {"simulate", "--replay",
-     "SCENE --threads --strip --plot --out --trace --records --key-frames --seek --no-cache "
+     "SCENE --threads --strip --plot --quota --out --trace --records --key-frames --seek "
+     "--no-cache "
      "--raise-limits --theme --quality --json",
      "takes its limit, duration and models from the trace"},
     {"simulate", "--continue",
      "SCENE --threads --duration --trace --no-cache --raise-limits --json",
      "takes all but the duration from the trace"},
-    {"simulate", "--seek", "SCENE --replay --no-cache --raise-limits --json",
-     "only prints one moment"},
+    {"simulate", "--seek",
+     "SCENE --replay --out --theme --quality --no-cache --raise-limits --json", "shows one moment"},
+    {"crowd", "--bodies",
+     "SCENE --budget --milliseconds --policies --fixation --duration --response --contact-model "
+     "--point-model --out --no-cache --raise-limits --theme --quality --json",
+     "measures the processor time of one thread, of one seed"},
+    {"crowd", "--levels",
+     "SCENE --budget --milliseconds --policies --fixation --duration --response --contact-model "
+     "--point-model --out --no-cache --raise-limits --theme --quality --json",
+     "follows one run of one thread"},
 };
 
 /// An option that says how something else is done.
@@ -42,6 +52,9 @@ struct Needed {
     std::string_view mend;
 };
 
+bool has_output(const Options& options) {
+    return !options.out.empty();
+}
 bool has_picture(const Options& options) {
     return std::ranges::any_of(options.out,
                                [](const auto& path) { return !viz::is_video_path(path); });
@@ -58,6 +71,12 @@ bool has_trace(const Options& options) {
 bool has_replay(const Options& options) {
     return !options.replay.empty();
 }
+bool has_quota(const Options& options) {
+    return options.budget || options.milliseconds;
+}
+bool is_timed(const Options& options) {
+    return !options.bodies.empty() || options.levels;
+}
 bool has_number(const Options& options) {
     return options.number.has_value();
 }
@@ -65,6 +84,15 @@ constexpr Needed needed[] = {
     {"collide", "--projected", "what a picture shows", has_picture, "add --out FILE.png"},
     {"simulate", "--strip", "what a still picture shows", has_picture, "add --out FILE.png"},
     {"simulate", "--plot", "what a still picture shows", has_picture, "add --out FILE.png"},
+    {"simulate", "--quota", "what pictures and videos show", has_output, "add --out FILE.mp4"},
+    {"crowd", "--budget", "the quota of --bodies and --levels", is_timed,
+     "add --levels, or drop it: errors are measured at shares of what frames need"},
+    {"crowd", "--milliseconds", "the quota of --bodies and --levels", is_timed,
+     "add --levels, or drop it: errors are measured at shares of what frames need"},
+    {"crowd", "--bodies", "how long frames take with a quota and without", has_quota,
+     "add --milliseconds 1"},
+    {"crowd", "--levels", "which level pairs reach under a quota", has_quota,
+     "add --milliseconds 1, or --budget TESTS"},
     {"simulate", "--records", "what a trace holds", has_trace, "add --trace FILE"},
     {"simulate", "--key-frames", "what a trace holds", has_trace, "add --trace FILE"},
     {"simulate", "--seek", "which moment of a trace is shown", has_replay, "add --replay FILE"},
@@ -85,9 +113,12 @@ void check_options(const Command& command, const Options& options) {
     const auto given = [&](std::string_view option) {
         return std::ranges::find(options.given, option) != options.given.end();
     };
-    if (given("--strip") && given("--plot"))
-        misused(
-            "--strip and --plot are two pictures; give one of them, and run again for the other");
+    constexpr std::array<std::string_view, 3> pictures{"--strip", "--plot", "--quota"};
+    for (const std::string_view one : pictures)
+        for (const std::string_view other : pictures)
+            if (one < other && given(one) && given(other))
+                misused(std::string(other) + " and " + std::string(one) +
+                        " are two pictures; give one of them, and run again for the other");
     for (const Alone& one : alone) {
         if (one.command != command.name || !given(one.option)) continue;
         for (const std::string& other : options.given)

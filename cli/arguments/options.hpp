@@ -50,9 +50,9 @@ struct Options {
     std::string finest;
     std::string policy;
     std::optional<std::array<double, 3>> fixation;  ///< [m]
-    std::string sweep;       ///< "on", "off"; empty: as the scene says
-    bool projected = false;  ///< the picture of collide, in space
-    std::string picture;     ///< of simulate: "strip", "plot"; empty: what suits the scene
+    std::string sweep;                              ///< "on", "off"; empty: as the scene says
+    bool projected = false;                         ///< the picture of collide, in space
+    std::string picture;  ///< of simulate: "strip", "plot", "quota"; empty: what suits the scene
     std::string trace;
     std::optional<std::int64_t> key_frames;  ///< of the trace: from one to the next
     bool records = false;                    ///< the trace tells pairs and contacts, too
@@ -67,6 +67,9 @@ struct Options {
     std::string responses;  ///< parted by commas
     std::optional<int> impacts;
     std::optional<int> seeds;  ///< of a crowd
+    std::string policies;      ///< parted by commas
+    std::string bodies;        ///< of a crowd: how many, parted by commas
+    bool levels = false;       ///< of a crowd, frame by frame
     std::uint64_t seed = 1;
     std::string share = "1/1";
     std::vector<std::string> merge;  ///< files with shares

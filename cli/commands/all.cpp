@@ -15,17 +15,17 @@ constexpr Command table[] = {
     {"simulate", "Run a scene under a level or a budget: video, strip, plot, trace",
      "lodlab simulate figure9 --level 2 --out strip.png --out run.mp4 --json",
      "SCENE --level --budget --milliseconds --threads --duration --response --contact-model --point-model --policy --fixation --finest --sweep "
-     "--strip --plot --out --trace --records --key-frames --replay --seek --continue --no-cache --raise-limits --theme --quality --json", run_simulate},
+     "--strip --plot --quota --out --trace --records --key-frames --replay --seek --continue --no-cache --raise-limits --theme --quality --json", run_simulate},
     {"compare", "A scene at every level, exactly, and by Box2D: table, picture, video",
      "lodlab compare figure9 --out compare.png --out compare.mp4",
-     "SCENE --duration --response --contact-model --point-model --out --no-cache --raise-limits --theme --quality --json", run_compare},
+     "SCENE --duration --threads --response --contact-model --point-model --out --no-cache --raise-limits --theme --quality --json", run_compare},
     {"degrade", "How well each level answers random impacts: error, gap, delay, cost",
      "lodlab degrade --shapes box,L,star:5 --impacts 500 --out curve.png --out curve.csv --json",
-     "--shapes --dim --impacts --seed --builder --branching --depth --models --responses --share "
+     "--shapes --dim --impacts --seed --threads --builder --branching --depth --models --responses --share "
      "--merge --out --no-cache --raise-limits --theme --quality --json", run_degrade},
-    {"crowd", "What a quota of node tests costs a crowd, by the order in which pairs are refined",
+    {"crowd", "What a quota does to a crowd: its errors, the time of frames, the levels reached",
      "lodlab crowd implode:100 --seeds 20 --out quota.png --json",
-     "SCENE --seeds --duration --response --contact-model --point-model --out --no-cache --raise-limits --theme --quality --json", run_crowd},
+     "SCENE --seeds --bodies --levels --budget --milliseconds --policies --fixation --threads --duration --response --contact-model --point-model --out --no-cache --raise-limits --theme --quality --json", run_crowd},
     {"figure", "A figure of the paper, from running code: 1, 2, 3, 4, 5 or 9",
      "lodlab figure 9 --out figure-9.png --out figure-9.mp4",
      "FIGURE --dim --contact-model --out --no-cache --theme --quality", run_figure},

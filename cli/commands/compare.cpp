@@ -6,6 +6,7 @@
 #include "cli/arguments/command.hpp"
 #include "cli/stage/compare_pictures.hpp"
 #include "cli/stage/staging.hpp"
+#include "cli/stage/threads.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
 #include "lodlab/core/base/error.hpp"
@@ -203,11 +204,13 @@ std::string report_of(const scenes::Setup<2>& setup, const Comparison& compariso
     return text + perceived_table(comparison);
 }
 
-Comparison compared(const scenes::Setup<2>& setup) {
+Comparison compared(const scenes::Setup<2>& setup, const Options& from) {
     ProgressBar bar("Comparing");
     measure::ComparisonOptions options;
     options.settings = scenes::frame_settings(setup.scene, {});
     options.frames = setup.scene.frames();
+    const Threads threads(from);
+    options.executor = threads.executor();
     options.progress = [&](double share) { bar.show(share); };
     std::vector<const lod2d::Shape*> shapes;
     for (const auto& shape : setup.shapes) shapes.push_back(shape.get());
@@ -224,7 +227,7 @@ void run_compare(const Options& options) {
                                                     " is a scene of space, and Box2D is of the "
                                                     "plane; compare a scene of the plane");
     const scenes::Setup<2> setup = stage<2>(scene, options);
-    const Comparison comparison = compared(setup);
+    const Comparison comparison = compared(setup, options);
     write_outputs(options, drawing_of(setup, comparison));
     if (options.json)
         print(result_of(setup, comparison));

@@ -4,10 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/arguments/check_outputs.hpp"
+#include "cli/arguments/choices.hpp"
 #include "cli/arguments/command.hpp"
 #include "cli/arguments/misused.hpp"
 #include "cli/stage/pictures.hpp"
 #include "cli/stage/staging.hpp"
+#include "cli/stage/threads.hpp"
 #include "cli/terminal/dimension.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
@@ -33,20 +35,6 @@ struct Usual {
 };
 constexpr Usual usual_in_plane{"box,L,star:5,star:9", 4, 6};
 constexpr Usual usual_in_space{"box,L,ring", 8, 3};
-
-template <class Choice>
-std::vector<Choice> choices_in(const std::string& text, const char* what) {
-    std::vector<Choice> choices;
-    for (const std::string& part : scenes::parted(text, ',')) {
-        const std::optional<Choice> found = lod::named<Choice>(part);
-        const auto names = names_of(Choice{});
-        if (!found)
-            misused(std::string(what) + " must be of " + scenes::listed(names) + ", not " + part +
-                    scenes::did_you_mean(part, names));
-        choices.push_back(*found);
-    }
-    return choices;
-}
 
 measure::Share share_in(const std::string& text) {
     measure::Share share;
@@ -109,6 +97,8 @@ measure::Outcomes measured(measure::Plan plan, measure::Share part, const Option
     measure::DegradeOptions how;
     how.share = part;
     how.clock = &steady_clock();
+    const Threads threads(options);
+    how.executor = threads.executor();
     how.progress = [&](double share) { bar.show(share); };
     return measure::degrade<Dim>(plan, measured, how);
 }
@@ -149,20 +139,13 @@ Json level_json(const measure::CurveLevel& level) {
             {"missed", level.missed}};
 }
 
-std::string_view name_of(lod::ContactModel model) {
-    return lod::name_of(model);
-}
-std::string_view name_of(lod::Response response) {
-    return lod::name_of(response);
-}
-
 Json result_of(const measure::Plan& plan, const std::vector<measure::DegradationCurve>& curves) {
     Json list = Json::array();
     for (const measure::DegradationCurve& curve : curves) {
         Json levels = Json::array();
         for (const measure::CurveLevel& level : curve.levels) levels.push_back(level_json(level));
-        list.push_back({{"model", name_of(curve.model)},
-                        {"response", name_of(curve.response)},
+        list.push_back({{"model", lod::name_of(curve.model)},
+                        {"response", lod::name_of(curve.response)},
                         {"levels", std::move(levels)}});
     }
     return {{"dim", plan.dim},
@@ -183,7 +166,7 @@ std::string report_of(const measure::Plan& plan,
     text.append(": trees by ").append(plan.builder);
     text.append(", branching ").append(std::to_string(plan.branching)).append("\n");
     for (const measure::DegradationCurve& curve : curves) {
-        text.append(name_of(curve.model)).append(", ").append(name_of(curve.response));
+        text.append(lod::name_of(curve.model)).append(", ").append(lod::name_of(curve.response));
         text += curve.falls_at_every_level() ? " (the median error falls at every level)\n" : "\n";
         text +=
             "  level   impulse error       p90   gap [m]    at most  delay [ms]   tests      us\n";
@@ -227,10 +210,9 @@ viz::Figure figure_of(const measure::Outcomes& outcomes,
     std::vector<viz::Curve> drawn;
     for (const measure::DegradationCurve& curve : curves) {
         viz::Curve line;
-        line.name = std::string(name_of(curve.model));
-        std::replace(line.name.begin(), line.name.end(), '_', ' ');
+        line.name = in_words(curve.model);
         if (outcomes.plan.responses.size() > 1)
-            line.name.append(", ").append(name_of(curve.response));
+            line.name.append(", ").append(in_words(curve.response));
         line.series = static_cast<int>(drawn.size());
         line.dots = true;
         // The exact level's error is zero, which a logarithm cannot show.

@@ -87,6 +87,7 @@ void simulate(const scenes::Scene& scene, const Options& options) {
     const std::string& earlier = options.replay.empty() ? options.continued : options.replay;
     std::optional<scenes::Trace> trace;  // read before the trees are built
     if (!earlier.empty()) trace = scenes::read_trace(earlier);
+    check_quota(options, trace ? trace->head().limits : scene.limits);
     const scenes::Setup<Dim> setup = stage<Dim>(scene, options);
     if (!options.seek.empty()) return show_moment(setup, options, *trace);
     const Simulation<Dim> simulation = simulated(setup, options, trace);
@@ -101,7 +102,7 @@ void simulate(const scenes::Scene& scene, const Options& options) {
 
 void run_simulate(const Options& options) {
     const scenes::Scene scene = scene_of(options);
-    check_outputs(options, {.video = true});
+    check_outputs(options, {.video = options.seek.empty()});
     in_dimension(scene.dim, [&](auto dim) { simulate<dim()>(scene, options); });
 }
 

@@ -1,16 +1,20 @@
 #include "cli/stage/moment.hpp"
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "cli/arguments/misused.hpp"
+#include "cli/stage/run_pictures.hpp"
 #include "cli/terminal/numbers.hpp"
 #include "cli/terminal/output.hpp"
 #include "lodlab/core/base/lists.hpp"
+#include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/scenes/trace/events.hpp"
 #include "lodlab/scenes/trace/trace_player.hpp"
+#include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace cli {
 namespace {
@@ -18,6 +22,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t most_lines = 20;  // of bodies, and of events, for readers
+constexpr double arrow_share = 0.06;    // of the picture
 
 /// A frame of a trace, and what happens in it.
 template <int Dim>
@@ -187,6 +192,56 @@ void check_event(const Moment<Dim>& moment) {
     misused(frame + " has the events 0 to " + std::to_string(count - 1) + "; seek one of them");
 }
 
+/// What an event is, over the picture of its frame.
+template <int Dim>
+void add_event(const Moment<Dim>& moment, const scenes::Event<Dim>& event, viz::Panel& panel) {
+    const std::vector<lod::Body<Dim>> bodies(moment.player.bodies().begin(),
+                                             moment.player.bodies().end());
+    const lod::Body<Dim>& a = bodies[lod::at(event.a)];
+    const lod::Body<Dim>& b = bodies[lod::at(event.b)];
+    if (event.kind == scenes::EventKind::level) {
+        const std::vector<lod::Front> fronts = lod::traverse_levels(a, b, event.level);
+        viz::add_meeting_nodes<Dim>(panel, {a, 0}, {b, 1}, fronts.back().pairs);
+        return;
+    }
+    if (event.kind == scenes::EventKind::exact) return;
+    const double length = arrow_share * viz::longer_side(panel.view);
+    const std::vector<lod::Contact<Dim>> contacts{event.contact};
+    const bool pushes = event.kind != scenes::EventKind::contact;
+    viz::add_contact_points<Dim>(panel, contacts);
+    viz::add_arrow<Dim>(panel, {.role = pushes ? viz::Role::impulse : viz::Role::normal},
+                        event.contact.point, event.contact.point + length * event.contact.normal,
+                        pushes ? readable(event.impulse, 3) + "\u00A0N\u00A0s" : std::string());
+}
+
+/// The frame as `simulate --quota` films it, and in it the event that was asked for.
+template <int Dim>
+viz::Figure figure_of(const Moment<Dim>& moment, const scenes::Step<Dim>* step) {
+    const scenes::TraceHead& head = moment.player.trace().head();
+    scenes::Run<Dim> run;
+    run.settings = head.settings;
+    run.end = scenes::states_of(moment.player.bodies());
+    if (step != nullptr) run.steps.push_back(*step);
+    viz::Run<Dim> shown = seen(moment.setup, run, "");
+    shown.instants.resize(1);
+    viz::CrowdChoice choice = crowd_choice(head.settings, head.limits);
+    choice.first_frame = moment.player.frame();
+    choice.frames = moment.player.frames();
+    if (step == nullptr) {
+        choice.quota = {};
+        choice.title = "After the last frame, " + std::to_string(moment.player.frames());
+    }
+    if (moment.event) {
+        choice.title = viz::literal_text(sentence(moment, moment.events[*moment.event]));
+        choice.title[0] =
+            static_cast<char>(std::toupper(static_cast<unsigned char>(choice.title[0])));
+    }
+    viz::Figure figure =
+        viz::crowd_picture<Dim>(shown, 0, choice, viewpoint_of<Dim>(moment.setup.scene));
+    if (moment.event) add_event(moment, moment.events[*moment.event], figure.panels[0]);
+    return framed<Dim>(std::move(figure), moment.setup.scene);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -199,9 +254,12 @@ void show_moment(const scenes::Setup<Dim>& setup, const Options& options,
     scenes::TracePlayer<Dim> player(trace, setup.bodies);
     player.seek(place.frame);
     Moment<Dim> moment{setup, player, player.frames_run(), {}, place.event};
-    if (place.frame < trace.frames())
-        moment.events = scenes::events_of<Dim>(player.step(), setup.bodies);
+    const scenes::Step<Dim>* step = place.frame < trace.frames() ? &player.step() : nullptr;
+    if (step != nullptr) moment.events = scenes::events_of<Dim>(*step, setup.bodies);
     check_event(moment);
+    Drawing drawing;
+    drawing.figure = [&] { return figure_of(moment, step); };
+    write_outputs(options, drawing);
     if (options.json)
         print(result_of(moment));
     else

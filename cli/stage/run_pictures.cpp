@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "cli/arguments/misused.hpp"
 #include "cli/terminal/numbers.hpp"
 #include "cli/terminal/output.hpp"
+#include "lodlab/scenes/crowd/crowds.hpp"
 #include "lodlab/viz/draw/motion/draw_motion.hpp"
 #include "lodlab/viz/draw/motion/draw_plot.hpp"
 #include "lodlab/viz/draw/motion/draw_strip.hpp"
@@ -119,13 +121,66 @@ viz::Animation film_of(const scenes::Setup<Dim>& setup, const viz::Run<Dim>& run
     return viz::impact_motion<Dim>({run}, choice, viewpoint);
 }
 
+/// Where a crowd runs under a quota, or where that is asked for.
+bool shows_quota(const Options& options, const scenes::Limits& limits) {
+    if (options.picture == "quota") return true;
+    const bool limited = limits.node_tests || limits.milliseconds;
+    return options.picture.empty() && limited && scenes::names_crowd(options.scene);
+}
+
+/// The frames of a run; its end, where nothing is refined, is none.
+template <int Dim>
+viz::Run<Dim> frames_of(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
+                        const std::string& name) {
+    viz::Run<Dim> shown = seen(setup, run, name);
+    if (shown.instants.size() > 1) shown.instants.pop_back();
+    return shown;
+}
+
+/// The film of the crowd, or the frame in which most pairs meet.
+template <int Dim>
+Drawing quota_drawing(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
+                      const std::string& name) {
+    const auto shown = std::make_shared<const viz::Run<Dim>>(frames_of(setup, run, name));
+    const auto choice = crowd_choice(run.settings, run.limits);
+    const auto viewpoint = viewpoint_of<Dim>(setup.scene);
+    Drawing drawing;
+    drawing.figure = [&setup, shown, choice, viewpoint] {
+        return framed<Dim>(
+            viz::crowd_picture<Dim>(*shown, viz::fullest_instant(*shown), choice, viewpoint),
+            setup.scene);
+    };
+    drawing.animation = [&setup, shown, choice, viewpoint] {
+        return framed<Dim>(viz::crowd_motion<Dim>(*shown, choice, viewpoint), setup.scene);
+    };
+    return drawing;
+}
+
 }  // namespace
+
+viz::CrowdChoice crowd_choice(const lod::FrameSettings& settings, const scenes::Limits& limits) {
+    viz::CrowdChoice choice;
+    choice.quota = {limits.node_tests, limits.milliseconds};
+    if (settings.priority == lod::Priority::perceptual) choice.fixation = settings.viewer.fixation;
+    return choice;
+}
+
+void check_quota(const Options& options, const scenes::Limits& limits) {
+    if (options.picture != "quota" || limits.node_tests || limits.milliseconds) return;
+    misused(
+        options.replay.empty()
+            ? "--quota shows what a quota was spent on, and there is none; add --budget TESTS or "
+              "--milliseconds TIME"
+            : "--quota shows what a quota was spent on, and the run of the trace had none; drop "
+              "--quota");
+}
 
 template <int Dim>
 Drawing drawing_of(const scenes::Setup<Dim>& setup, const scenes::Run<Dim>& run,
                    const Options& options) {
     const std::string name =
         options.replay.empty() ? limit_of(setup.scene.limits) : "Played again from a trace";
+    if (shows_quota(options, run.limits)) return quota_drawing(setup, run, name);
     const auto shown = std::make_shared<const viz::Run<Dim>>(seen(setup, run, name));
     Drawing drawing;
     drawing.figure = [&setup, &run, &options, shown] {

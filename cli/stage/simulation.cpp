@@ -2,9 +2,9 @@
 
 #include "cli/arguments/misused.hpp"
 #include "cli/stage/staging.hpp"
+#include "cli/stage/threads.hpp"
 #include "cli/terminal/output.hpp"
 #include "cli/terminal/progress.hpp"
-#include "lodlab/scenes/threads/thread_pool.hpp"
 #include "lodlab/scenes/trace/trace_player.hpp"
 #include "lodlab/scenes/trace/trace_writer.hpp"
 
@@ -126,9 +126,8 @@ Simulation<Dim> continued(const scenes::Setup<Dim>& setup, const Options& option
 template <int Dim>
 Simulation<Dim> simulated(const scenes::Setup<Dim>& setup, const Options& options,
                           const std::optional<scenes::Trace>& earlier) {
-    std::optional<scenes::ThreadPool> threads;
-    if (options.threads > 1) threads.emplace(options.threads);
-    lod::Executor* const executor = threads ? &*threads : nullptr;
+    const Threads threads(options);
+    lod::Executor* const executor = threads.executor();
     if (earlier && !options.replay.empty()) return played_again(setup, options, *earlier, executor);
     if (earlier) return continued(setup, options, *earlier, executor);
     ProgressBar bar("Simulating");

@@ -24,6 +24,10 @@ TEST_CASE("the results have exactly the documented keys") {
     check_keys("degrade",
                result({"degrade", "--shapes", "box", "--impacts", "3", "--depth", "2", "--json"}));
     check_keys("crowd", result({"crowd", "gas:5", "--seeds", "2", "--duration", "0.2", "--json"}));
+    check_keys("crowd --bodies", result({"crowd", "gas", "--bodies", "5,9", "--budget", "3",
+                                         "--duration", "0.2", "--json"}));
+    check_keys("crowd --levels", result({"crowd", "gas:9", "--levels", "--budget", "3",
+                                         "--duration", "0.2", "--json"}));
     check_keys("doctor", result({"doctor", "--json"}));
 }
 
@@ -182,4 +186,40 @@ TEST_CASE("a crowd runs by its name, and of many remarks of a kind a few are sho
     CHECK(outcome.out.starts_with("gas: 60 frames of 16.6667 ms\n"));
     CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 6);
     CHECK(outcome.err.find(" more like the last\n") != std::string::npos);
+}
+
+TEST_CASE("threads change no bit of what crowd, compare and degrade find") {
+    const auto both = [](const std::vector<std::string>& command) {
+        std::vector<std::string> threaded = command;
+        threaded.insert(threaded.end(), {"--threads", "2"});
+        return std::pair{result(command), result(threaded)};
+    };
+    const auto crowd = both({"crowd", "gas:30", "--seeds", "1", "--duration", "0.2", "--json"});
+    CHECK(crowd.first == crowd.second);
+    const auto compare = both({"compare", "offset_boxes", "--json"});
+    CHECK(compare.first == compare.second);
+    auto degrade =
+        both({"degrade", "--shapes", "box,L", "--impacts", "20", "--depth", "2", "--json"});
+    for (Json* one : {&degrade.first, &degrade.second})
+        for (Json& curve : (*one)["curves"])
+            for (Json& level : curve["levels"]) level.erase("microseconds");
+    CHECK(degrade.first == degrade.second);
+}
+
+TEST_CASE("over level_order is a ratio of errors, 1 for itself, and absent without it") {
+    const std::vector<std::string> run{"crowd",      "implode:30", "--seeds", "2",
+                                       "--duration", "0.5",        "--json",  "--policies"};
+    const auto with = [&](const char* policies) {
+        std::vector<std::string> all = run;
+        all.emplace_back(policies);
+        return result(all)["priorities"];
+    };
+    const Json both = with("first_come,level_order");
+    REQUIRE(both.size() == 2);
+    CHECK(both[0]["priority"] == "first_come");
+    for (const Json& quota : both[1]["quotas"])
+        for (const char* error : {"error", "attended_error"})
+            CHECK(quota["over_level_order"][error]["median"] == 1);
+    CHECK(both[0]["quotas"][4]["over_level_order"]["error"]["median"] > 1);
+    CHECK_FALSE(with("first_come")[0]["quotas"][0].contains("over_level_order"));
 }

@@ -182,8 +182,11 @@ TEST_CASE("options of traces that serve nothing are refused") {
     check_refused(lodlab({"simulate", "offset_boxes", "--continue", "t", "--replay", "t"}), 2,
                   "drop");
     check_refused(
-        lodlab({"simulate", "offset_boxes", "--replay", "t", "--seek", "1", "--out", "a.png"}), 2,
-        "only prints one moment; drop --out");
+        lodlab({"simulate", "offset_boxes", "--replay", "t", "--seek", "1", "--out", "a.mp4"}), 2,
+        "cannot write a.mp4");
+    check_refused(
+        lodlab({"simulate", "offset_boxes", "--replay", "t", "--seek", "1", "--trace", "u.json"}),
+        2, "shows one moment; drop --trace");
 }
 
 TEST_CASE("a killed run leaves no trace under its name, and the next one removes what it left") {
@@ -211,4 +214,54 @@ TEST_CASE("a trace goes to a regular file, not to a pipe") {
     CHECK((outcome.code == 4 || outcome.code == 2));
     CHECK(is_one_line(outcome.err));
     CHECK(outcome.err.find("No such file") == std::string::npos);
+}
+
+TEST_CASE("a moment of a trace is drawn, with its event, and the quota where the run had one") {
+    const Scratch scratch;
+    const std::string trace = scratch / "t.json";
+    const auto run = [&](std::vector<std::string> limit) {
+        std::vector<std::string> all{"simulate", "gas:9", "--duration", "0.3",
+                                     "--trace",  trace,   "--json"};
+        all.insert(all.end(), limit.begin(), limit.end());
+        return result(all);
+    };
+    const auto drawn = [&](const std::string& place) {
+        const std::string path = scratch / "m.json";
+        result({"simulate", "gas:9", "--replay", trace, "--seek", place, "--out", path, "--json"});
+        return Json::parse(lodtest::bytes_of(path));
+    };
+    run({"--budget", "20"});
+    int frame = 0;
+    while (seek("gas:9", trace, std::to_string(frame))["events"].empty()) ++frame;
+    const Json moment = seek("gas:9", trace, std::to_string(frame) + ".0");
+    CHECK(drawn(std::to_string(frame))["panels"].size() == 4);
+    CHECK(drawn(std::to_string(frame))["numbers"][0]["value"] == std::to_string(frame) + " of 18");
+    // The title is the event's sentence; its node pairs are drawn as the marks that meet.
+    const Json event = drawn(std::to_string(frame) + ".0");
+    std::string sentence = moment["events"][0]["sentence"];
+    sentence[0] = static_cast<char>(std::toupper(sentence[0]));
+    CHECK(event["title"] == sentence);
+    std::size_t meeting = 0;
+    for (const Json& mark : event["panels"][0]["marks"])
+        meeting += mark["role"] == "meeting_node" ? 1 : 0;
+    CHECK(meeting == 2);                       // the roots
+    CHECK(drawn("18")["panels"].size() == 2);  // the end, where nothing is refined
+    run({});
+    CHECK(drawn("3")["panels"].size() == 2);
+    run({"--milliseconds", "2"});
+    CHECK(drawn("3")["panels"].size() == 4);
+}
+
+TEST_CASE("a film of a quota is the same from the run and from its trace, times and all") {
+    const Scratch scratch;
+    const std::string trace = scratch / "t.json";
+    const std::string run = scratch / "run.json";
+    const std::string again = scratch / "again.json";
+    result({"simulate", "gas:9", "--duration", "0.3", "--milliseconds", "0.01", "--trace", trace,
+            "--out", run, "--json"});
+    result({"simulate", "gas:9", "--replay", trace, "--out", again, "--trace", scratch / "u.json",
+            "--json"});
+    CHECK(lodtest::bytes_of(run) == lodtest::bytes_of(again));
+    CHECK(lodtest::bytes_of(trace) == lodtest::bytes_of(scratch / "u.json"));
+    CHECK(Json::parse(lodtest::bytes_of(run))["panels"].size() == 4);
 }

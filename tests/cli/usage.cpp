@@ -128,3 +128,30 @@ TEST_CASE("the completion names every command and its options") {
     for (const char* part : {"simulate)", "--milliseconds", "doctor)", "complete -o filenames"})
         CHECK(contains(script.out, part));
 }
+
+TEST_CASE("a picture of a quota without one is refused, and so is a question that lacks its own") {
+    check_misuse({"simulate", "gas:9", "--quota", "--out", "a.mp4"},
+                 "there is none; add --budget TESTS or --milliseconds TIME");
+    check_misuse({"simulate", "gas:9", "--quota", "--budget", "9"}, "add --out FILE.mp4");
+    check_misuse({"simulate", "gas:9", "--quota", "--plot", "--budget", "9", "--out", "a.png"},
+                 "are two pictures");
+    check_misuse({"crowd", "gas", "--bodies", "5,9"}, "add --milliseconds 1");
+    check_misuse({"crowd", "gas:9", "--levels"}, "add --milliseconds 1");
+    check_misuse({"crowd", "gas:9", "--budget", "9"}, "add --levels, or drop it");
+    check_misuse({"crowd", "gas:9", "--levels", "--bodies", "5", "--budget", "9"}, "drop --");
+    check_misuse({"crowd", "gas", "--bodies", "5", "--budget", "9", "--threads", "2"},
+                 "drop --threads");
+    for (const char* numbers : {"0", "5,", "9,5", "5,5", "x", "1e3", "5;9", "-1", ""})
+        check_misuse({"crowd", "gas", "--bodies", numbers, "--budget", "9"}, "--bodies");
+    check_misuse({"crowd", "gas:9", "--bodies", "5", "--budget", "9"},
+                 "the scene must be the name of a crowd");
+    check_misuse({"crowd", "offset_boxes", "--bodies", "5", "--budget", "9"}, "not offset_boxes");
+    check_misuse({"crowd", "gas:9", "--levels", "--budget", "9", "--milliseconds", "1"},
+                 "exclude each other");
+    check_misuse({"crowd", "gas", "--bodies", "5", "--budget", "9", "--milliseconds", "1"},
+                 "exclude each other");
+    check_misuse({"crowd", "gas:9", "--policies", "best_gian"}, "did you mean best_gain?");
+    check_misuse({"crowd", "gas:9", "--policies", "trade,trade"}, "names trade twice");
+    check_misuse({"crowd", "gas", "--bodies", "5", "--budget", "9", "--duration", "0.01"},
+                 "is one frame");
+}
