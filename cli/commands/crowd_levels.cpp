@@ -116,7 +116,7 @@ std::string title_of(const LevelFrames& result, const Options& options) {
         title += readable(result.courses.of_priority[p][at].reached.mean, 2) + " by " +
                  in_words(result.policies[p]);
     }
-    return title + ", without it " + readable(result.courses.without[at].reached.mean, 2);
+    return title + "; without a quota " + readable(result.courses.without[at].reached.mean, 2);
 }
 
 std::string report_of(const LevelFrames& result, const Options& options) {

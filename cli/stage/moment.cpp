@@ -1,5 +1,6 @@
 #include "cli/stage/moment.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -232,9 +233,10 @@ viz::Figure figure_of(const Moment<Dim>& moment, const scenes::Step<Dim>* step) 
         choice.title = "After the last frame, " + std::to_string(moment.player.frames());
     }
     if (moment.event) {
-        choice.title = viz::literal_text(sentence(moment, moment.events[*moment.event]));
-        choice.title[0] =
-            static_cast<char>(std::toupper(static_cast<unsigned char>(choice.title[0])));
+        std::string words = sentence(moment, moment.events[*moment.event]);
+        words.resize(std::min(words.size(), words.find(" at (")));  // the picture shows where
+        words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+        choice.title = viz::literal_text(words);
     }
     viz::Figure figure =
         viz::crowd_picture<Dim>(shown, 0, choice, viewpoint_of<Dim>(moment.setup.scene));
