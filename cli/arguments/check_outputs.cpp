@@ -22,7 +22,8 @@ namespace {
 namespace fs = std::filesystem;
 
 void check_ending(const std::string& path, const Formats& formats) {
-    std::vector<std::string> endings{"png", "svg", "pdf", "json"};
+    std::vector<std::string> endings;
+    if (formats.still) endings = {"png", "svg", "pdf", "json"};
     if (formats.video) endings.insert(endings.end(), {"mp4", "webm", "gif"});
     for (const std::string& ending : formats.exports)
         if (ending != ".json") endings.push_back(ending.substr(1));
@@ -30,7 +31,7 @@ void check_ending(const std::string& path, const Formats& formats) {
         std::any_of(formats.exports.begin(), formats.exports.end(),
                     [&](const std::string& ending) { return path.ends_with(ending); });
     const bool is_picture =
-        viz::is_figure_path(path) || (formats.video && viz::is_video_path(path));
+        (formats.still && viz::is_figure_path(path)) || (formats.video && viz::is_video_path(path));
     if (is_picture || is_export) return;
     const std::vector<std::string_view> known(endings.begin(), endings.end());
     misused("cannot write " + path + ": lodlab does this as " + scenes::listed(known) +

@@ -11,6 +11,7 @@ namespace cli {
 struct Formats {
     bool video = false;
     std::vector<std::string> exports{};  ///< endings, such as ".sph"
+    bool still = true;                   ///< pictures
 };
 
 /// Before any work: throws lod::Error, usage for an ending that the command does not write, for an

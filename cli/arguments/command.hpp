@@ -28,6 +28,7 @@ void run_crowd(const Options& options);
 void run_figure(const Options& options);
 void run_lesson(const Options& options);
 void run_book(const Options& options);
+void run_page(const Options& options);
 void run_doctor(const Options& options);
 void run_completion(const Options& options);
 

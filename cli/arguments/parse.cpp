@@ -174,6 +174,7 @@ const Row rows[] = {
     {"--exported", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "write a file, its format by its ending, of spheres too (space): " + sphere_endings() + "; may be given several times")->type_name("FILE")->expected(1)->take_all(); }},
     {"--folder", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "folder of the pages")->type_name("FOLDER")->expected(1)->required(); }},
     {"--pictures", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "folder for the picture of each step")->type_name("FOLDER")->expected(1); }},
+    {"--page-file", [](CLI::App& a, Options& o) { a.add_option("--out", o.out, "write the page: a file that ends in .html")->type_name("FILE")->expected(1)->required(); }},
     {"--trace", [](CLI::App& a, Options& o) { a.add_option("--trace", o.trace, "save the run so that it can be played again")->type_name("FILE"); }},
     {"--replay", [](CLI::App& a, Options& o) { a.add_option("--replay", o.replay, "play a trace of this scene again, to the same bits")->type_name("FILE"); }},
     {"--records", [](CLI::App& a, Options& o) { a.add_flag("--records", o.records, "the trace tells each frame's bodies, pairs and contacts, too, for other programs"); }},
@@ -267,7 +268,7 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 std::vector<std::string> flags_of(const Command& command) {
     std::vector<std::string> flags;
     for (const std::string& name : words_of(command.options)) {
-        if (name == "--folder" || name == "--pictures" || name == "--exported")
+        if (name == "--folder" || name == "--pictures" || name == "--page-file" || name == "--exported")
             flags.emplace_back("--out");
         else if (name == "--exported-level")
             flags.emplace_back("--level");

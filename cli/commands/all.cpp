@@ -33,6 +33,10 @@ constexpr Command table[] = {
      "lodlab lesson 3 --out pictures", "[LESSON] --pictures --theme", run_lesson},
     {"book", "Write the lessons as web pages that need no network",
      "lodlab book --out book", "--folder --no-video --quality", run_book},
+    {"page", "Write a scene of the plane as a page that one plays with, in one file",
+     "lodlab page figure9 --out figure9.html",
+     "SCENE --level --budget --duration --response --contact-model --point-model --policy --fixation --finest --sweep --page-file "
+     "--no-cache --raise-limits", run_page},
     {"doctor", "What is installed, what is missing, and how to get it",
      "lodlab doctor", "--json", run_doctor},
     {"completion", "Print what completes lodlab's commands and options in bash",

@@ -5,9 +5,11 @@
 //    "columns", "panels": [{"title", "view": [low_x, low_y, high_x, high_y],
 //    "axes": {"x": {"label", "scale"}, "y": ...} or absent,
 //    "marks": [{"mark": "disc|dot|path|polyline|arrow|label", "role", "body", "level", "opacity",
-//               ... what the mark holds: "centre" and "radius"; "at"; "rings"; "points",
-//               "end_label"; "tail", "tip", "label"; "anchor", "text"}],
+//               ... what the mark holds: "centre" and "radius"; "at", "size"; "rings"; "points",
+//               "start_opacity", "end_label"; "tail", "tip", "label"; "anchor", "text",
+//               "clearance"}],
 //    "entries": [{"role", "body", "level", "words", "value"}] or absent}]}
+// What has its usual value is left out: sizes and opacities of 1, clearances of 0.
 // A scene in space adds to its panel:
 //   "space": {"camera": {"eye", "target", "up", "perspective"},
 //    "balls": [{"role", "body", "level", "opacity", "centre", "radius"}],
@@ -45,6 +47,7 @@ void put(ordered_json& mark, const Disc& disc) {
 void put(ordered_json& mark, const Dot& dot) {
     mark["mark"] = "dot";
     mark["at"] = data(dot.at);
+    if (dot.size != 1) mark["size"] = dot.size;
 }
 void put(ordered_json& mark, const Path& path) {
     mark["mark"] = "path";
@@ -54,6 +57,7 @@ void put(ordered_json& mark, const Path& path) {
 void put(ordered_json& mark, const Polyline& line) {
     mark["mark"] = "polyline";
     mark["points"] = data(line.points);
+    if (line.start_opacity != 1) mark["start_opacity"] = line.start_opacity;
     if (!line.end_label.empty()) mark["end_label"] = plain_text(line.end_label);
 }
 void put(ordered_json& mark, const Arrow& arrow) {
@@ -66,6 +70,7 @@ void put(ordered_json& mark, const Label& label) {
     mark["mark"] = "label";
     mark["anchor"] = data(label.anchor);
     mark["text"] = plain_text(label.text);
+    if (label.clearance > 0) mark["clearance"] = label.clearance;
 }
 
 void put(ordered_json& json, const Style& style) {
@@ -151,7 +156,7 @@ ordered_json data(const Panel& panel, Meshes& meshes) {
 
 }  // namespace
 
-std::string json_text(const Figure& figure) {
+std::string json_text(const Figure& figure, Spacing spacing) {
     check_figure(figure);
     ordered_json json;
     json["lodlab"] = "figure";
@@ -168,7 +173,8 @@ std::string json_text(const Figure& figure) {
     Meshes meshes;
     for (const Panel& panel : figure.panels) json["panels"].push_back(data(panel, meshes));
     for (const auto& mesh : meshes) json["meshes"].push_back(data(*mesh));
-    return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    const int indent = spacing == Spacing::lines ? 1 : -1;
+    return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace viz

@@ -82,7 +82,10 @@ std::string fixed_text(double value, int decimals) {
 }
 
 std::string count_text(long long count, const std::string& noun) {
-    return grouped(std::to_string(count)) + " " + noun + (count == 1 ? "" : "s");
+    const std::string number = grouped(std::to_string(count)) + " ";
+    if (count == 1) return number + noun;
+    if (noun.ends_with("dy")) return number + noun.substr(0, noun.size() - 1) + "ies";
+    return number + noun + "s";
 }
 
 }  // namespace viz

@@ -20,7 +20,7 @@ namespace viz {
 /// With a fixed number of decimals, for numbers that change while one looks: "0.250".
 [[nodiscard]] std::string fixed_text(double value, int decimals);
 
-/// "1 node", "12 nodes".
+/// "1 node", "12 nodes"; "2 bodies".
 [[nodiscard]] std::string count_text(long long count, const std::string& noun);
 
 }  // namespace viz

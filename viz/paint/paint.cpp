@@ -201,12 +201,17 @@ void write_pdf(const std::filesystem::path& path, const Figure& figure,
     write_page(path, figure, options, PageFormat::pdf);
 }
 
-void write_web_svg(const std::filesystem::path& path, const Figure& figure) {
+std::string web_svg_text(const Figure& figure) {
     constexpr double scale = 1.4;  // a page of 1280 units is shown at most 896 pixels wide
     check_figure(figure);
+    return compacted(for_both_themes(page_bytes(figure, Theme::light, PageFormat::web, scale),
+                                     page_bytes(figure, Theme::dark, PageFormat::web, scale)));
+}
+
+void write_web_svg(const std::filesystem::path& path, const Figure& figure) {
+    check_figure(figure);
     lod::OutputFile file(path);
-    file.write(compacted(for_both_themes(page_bytes(figure, Theme::light, PageFormat::web, scale),
-                                         page_bytes(figure, Theme::dark, PageFormat::web, scale))));
+    file.write(web_svg_text(figure));
     file.commit();
 }
 

@@ -29,6 +29,9 @@ void write_pdf(const std::filesystem::path& path, const Figure& figure,
 /// do.
 void write_web_svg(const std::filesystem::path& path, const Figure& figure);
 
+/// The same as text, to stand within a page.
+[[nodiscard]] std::string web_svg_text(const Figure& figure);
+
 /// Picks the format by the ending: png, svg, pdf, json. Any other ending throws lod::Error (usage).
 void write_figure(const std::filesystem::path& path, const Figure& figure,
                   const WriteOptions& options = {});

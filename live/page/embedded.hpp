@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string_view>
+
+/// The files of this folder, and the module, as they were when the program was built.
+namespace live::embedded {
+
+[[nodiscard]] std::string_view page_html();
+[[nodiscard]] std::string_view page_css();
+[[nodiscard]] std::string_view figure_js();
+[[nodiscard]] std::string_view live_js();
+/// Empty where there was none.
+[[nodiscard]] std::string_view module_js();
+
+}  // namespace live::embedded

@@ -1,0 +1,178 @@
+#include "lodlab/live/picture.hpp"
+
+#include <algorithm>
+
+#include "lodlab/core/base/lists.hpp"
+#include "lodlab/viz/draw/draw_scene.hpp"
+#include "lodlab/viz/draw/draw_traversal.hpp"
+#include "lodlab/viz/figure/number_text.hpp"
+
+namespace live {
+namespace {
+
+constexpr std::size_t few_bodies = 4;      ///< are named, and their velocities told
+constexpr std::size_t most_lines = 48;     ///< between meeting nodes of a pair
+constexpr std::size_t told_impulses = 4;   ///< have their value beside them
+constexpr double normal_length = 0.06;     ///< of the view's longer side
+constexpr double longest_impulse = 0.16;   ///< the same
+constexpr double longest_velocity = 0.14;  ///< the same
+
+std::size_t moving_bodies(const Stage& stage) {
+    const auto bodies = stage.bodies();
+    return static_cast<std::size_t>(
+        std::count_if(bodies.begin(), bodies.end(),
+                      [](const lod::Body<2>& body) { return !body.tree->is_half_space(); }));
+}
+
+/// A line for each pair of nodes that meet, from centre to centre.
+void add_lines(viz::Panel& panel, const lod::Body<2>& a, const lod::Body<2>& b,
+               std::span<const lod::NodePair> pairs) {
+    if (a.tree->is_half_space() || b.tree->is_half_space() || pairs.size() > most_lines) return;
+    for (const lod::NodePair& pair : pairs)
+        viz::add_line<2>(
+            panel, {.role = viz::Role::construction},
+            std::array{viz::carried_node(a, pair.a).centre, viz::carried_node(b, pair.b).centre},
+            1);
+}
+
+/// The nodes of a pair's last level. Of many bodies only what meets: the rest would hide it.
+void add_pair(viz::Panel& panel, const Stage& stage, const NearPair& near, bool tested_too) {
+    const viz::NumberedBody<2> a{stage.bodies()[lod::at(near.record.bodies.a)],
+                                 near.record.bodies.a};
+    const viz::NumberedBody<2> b{stage.bodies()[lod::at(near.record.bodies.b)],
+                                 near.record.bodies.b};
+    if (tested_too) {
+        const viz::TestedNodes tested = viz::tested_nodes<2>(
+            a.body, b.body, near.fronts, static_cast<int>(near.fronts.size()) - 1);
+        viz::add_nodes<2>(panel, a.body, tested.a, viz::Role::node, a.number);
+        viz::add_nodes<2>(panel, b.body, tested.b, viz::Role::node, b.number);
+    }
+    const auto meeting = stage.record().nodes_of(near.record.nodes);
+    viz::add_meeting_nodes<2>(panel, a, b, meeting);
+    add_lines(panel, a.body, b.body, meeting);
+}
+
+void add_hits(viz::Panel& panel, const Stage& stage) {
+    double most = 0;
+    for (const Hit& hit : stage.hits()) most = std::max(most, hit.impulse);
+    const double scale = longest_impulse * viz::longer_side(panel.view);
+    for (const Hit& hit : stage.hits()) {
+        const double age =
+            static_cast<double>(stage.frame() - hit.frame) * stage.scene().settings.time_step * 3;
+        const std::string words = stage.hits().size() <= told_impulses
+                                      ? viz::quantity_text(hit.impulse, "N\u00A0s", 2)
+                                      : "";
+        viz::add_arrow<2>(
+            panel, {.role = viz::Role::impulse, .opacity = std::clamp(1.2 - age, 0.0, 1.0)},
+            hit.contact.point, hit.contact.point + scale * hit.impulse / most * hit.contact.normal,
+            words);
+    }
+}
+
+void add_velocities(viz::Panel& panel, const Stage& stage) {
+    double fastest = 0;
+    for (const lod::Body<2>& body : stage.bodies())
+        fastest = std::max(fastest, body.velocity.norm());
+    if (fastest == 0) return;
+    const double scale = longest_velocity * viz::longer_side(panel.view) / fastest;
+    for (std::size_t i = 0; i < stage.bodies().size(); ++i)
+        viz::add_velocity<2>(panel, {stage.bodies()[i], static_cast<int>(i)}, scale);
+}
+
+/// Names beside the outlines, on the side away from the middle of the others.
+void add_body_names(viz::Panel& panel, const Stage& stage) {
+    std::vector<viz::Visual<2>> visuals;
+    lod::Vector<2> middle = lod::Vector<2>::Zero();
+    for (const viz::Actor<2>& actor : stage.scene().actors) visuals.push_back(actor.visual);
+    for (const lod::Body<2>& body : stage.bodies())
+        if (!body.tree->is_half_space())
+            middle += body.position / static_cast<double>(moving_bodies(stage));
+    for (std::size_t i = 0; i < visuals.size(); ++i)
+        if (!stage.bodies()[i].tree->is_half_space())
+            viz::add_name<2>(panel, stage.actor(i), viz::shown_name(visuals, i),
+                             static_cast<int>(i), viz::point_of(middle));
+}
+
+void add_fixation(viz::Panel& panel, const Stage& stage) {
+    if (stage.scene().settings.priority != lod::Priority::perceptual) return;
+    const auto& [x, y, z] = stage.scene().settings.viewer.fixation;
+    panel.marks.push_back(viz::Dot{{.role = viz::Role::reference}, {x, y}, 1.4});
+    panel.marks.push_back(
+        viz::Label{{.role = viz::Role::reference}, {x, y}, "the point looked at", 0});
+}
+
+viz::Panel panel_of(const Stage& stage) {
+    viz::Panel panel;
+    panel.view = stage.scene().view;
+    const std::size_t moving = moving_bodies(stage);
+    for (std::size_t i = 0; i < stage.bodies().size(); ++i)
+        viz::add_body<2>(panel, stage.actor(i), static_cast<int>(i));
+    for (const NearPair& near : stage.pairs())
+        if (moving <= few_bodies || near.record.verdict != lod::Verdict::apart)
+            add_pair(panel, stage, near, moving <= few_bodies);
+    const auto contacts = viz::contacts_of<2>(stage.record());
+    viz::add_normals<2>(panel, contacts, normal_length * viz::longer_side(panel.view));
+    add_hits(panel, stage);
+    viz::add_contact_points<2>(panel, contacts);
+    if (moving <= few_bodies) {
+        add_velocities(panel, stage);
+        add_body_names(panel, stage);
+    }
+    add_fixation(panel, stage);
+    return panel;
+}
+
+std::string name_of_body(const Stage& stage, std::int32_t body) {
+    return viz::literal_text(stage.scene().actors[lod::at(body)].visual.name);
+}
+
+/// Of a single pair: what its last level says.
+std::string finding_of(const Stage& stage, const NearPair& near) {
+    const lod::PairRecord& pair = near.record;
+    const std::string who =
+        name_of_body(stage, pair.bodies.a) + " and " + name_of_body(stage, pair.bodies.b);
+    const std::string tests = viz::count_text(static_cast<long long>(pair.tests), "node test");
+    if (pair.verdict == lod::Verdict::apart)
+        return who + " do not collide: proved at level " + std::to_string(pair.level) + " by " +
+               tests + ".";
+    std::string text = who + ": " + viz::verdict_words(pair.verdict) + " at level " +
+                       std::to_string(pair.level) + " after " + tests + ", " +
+                       viz::count_text(pair.contact_count, "contact");
+    if (near.gap > 0) text += "; the shapes are still " + viz::length_text(near.gap) + " apart";
+    if (near.gap == 0) text += "; the shapes do overlap";
+    return text + ".";
+}
+
+/// Of all pairs, in a sentence.
+std::string finding(const Stage& stage) {
+    if (stage.pairs().empty()) return "No two bodies are near: nothing is tested.";
+    if (stage.pairs().size() == 1) return finding_of(stage, stage.pairs()[0]);
+    const auto apart = std::count_if(
+        stage.pairs().begin(), stage.pairs().end(),
+        [](const NearPair& near) { return near.record.verdict == lod::Verdict::apart; });
+    return viz::count_text(static_cast<long long>(stage.pairs().size()), "pair") + " near, " +
+           std::to_string(apart) + " of them proved apart, by " +
+           viz::count_text(static_cast<long long>(stage.record().tests), "node test") + "; " +
+           viz::count_text(static_cast<long long>(stage.record().impacts.size()), "contact") + ".";
+}
+
+}  // namespace
+
+viz::Figure picture(const Stage& stage) {
+    const Scene& scene = stage.scene();
+    viz::Figure figure;
+    figure.title = viz::literal_text(scene.title.empty() ? scene.name : scene.title);
+    figure.numbers = {
+        {"time", viz::fixed_text(stage.time(), 2) + "\u00A0s"},
+        {"node tests", viz::number_text(static_cast<double>(stage.record().tests), 9)},
+        {"contacts", viz::number_text(static_cast<double>(stage.record().impacts.size()), 9)}};
+    figure.caption = finding(stage);
+    figure.alt = viz::plain_text(figure.title) + ", " +
+                 viz::count_text(static_cast<long long>(stage.bodies().size()), "body") +
+                 " after " + viz::fixed_text(stage.time(), 2) + " s. " +
+                 viz::plain_text(figure.caption);
+    figure.panels.push_back(panel_of(stage));
+    return figure;
+}
+
+}  // namespace live

@@ -1,0 +1,29 @@
+#pragma once
+
+/// \file
+/// What a page draws and tells of a stage: a figure as data, and numbers.
+
+#include <string>
+
+#include "lodlab/live/stage.hpp"
+#include "lodlab/viz/figure/figure.hpp"
+
+namespace live {
+
+/// The stage as it stands: bodies, the nodes of each near pair's last level, a line for each pair
+/// of nodes that meet, contacts with their normals, and the impulses of the last moments. Its
+/// caption is the finding, in a sentence.
+[[nodiscard]] viz::Figure picture(const Stage& stage);
+
+/// Numbers of the stage for controls and machines, as JSON:
+///
+///     {"frame", "time", "hash": of the state, "level": asked for, "levels": of the deepest tree,
+///      "tests", "dropped": tests of levels that were not finished, "by_level": tests of each,
+///      "budget": or null, "reserved": by node pairs, "left", "interrupted", "contacts", "energy",
+///      "pairs": [{"a", "b", "level", "verdict", "tests", "contacts", "gap": or null,
+///      "stands_out"}], "bodies": [{"name", "x", "y", "angle", "reach": radius of its root circle,
+///      "fixed": whether
+///                  it is a half-space}]}
+[[nodiscard]] std::string report(const Stage& stage);
+
+}  // namespace live

@@ -1,0 +1,185 @@
+#include "lodlab/live/stage.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "lodlab/core/base/error.hpp"
+#include "lodlab/core/exact/exact_shape.hpp"
+#include "lodlab/live/picture.hpp"
+#include "lodlab/viz/figure/json.hpp"
+#include "tests/catch.hpp"
+#include "tests/live/sample.hpp"
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json report_of(const live::Stage& stage) {
+    return Json::parse(live::report(stage));
+}
+
+int count_role(const viz::Figure& figure, viz::Role role) {
+    int count = 0;
+    for (const viz::Mark& mark : figure.panels[0].marks)
+        std::visit([&](const auto& held) { count += held.style.role == role ? 1 : 0; },
+                   static_cast<const viz::AnyMark&>(mark));
+    return count;
+}
+
+/// The two bodies overlap by far.
+live::Stage meeting() {
+    return live::Stage(sample::live_scene(0.7));
+}
+
+}  // namespace
+
+TEST_CASE("looking at a stage moves nothing, and a step moves what moves") {
+    live::Stage stage(sample::live_scene());
+    const std::uint64_t start = stage.state_hash();
+    static_cast<void>(live::picture(stage));
+    static_cast<void>(live::report(stage));
+    CHECK(stage.state_hash() == start);
+    stage.step(10);
+    CHECK(stage.frame() == 10);
+    CHECK(stage.time() == Approx(10.0 / 240));
+    CHECK(stage.bodies()[0].position.x() == Approx(-0.6 + 10.0 / 240));
+    stage.reset();
+    CHECK(stage.state_hash() == start);
+    CHECK(stage.frame() == 0);
+}
+
+TEST_CASE("single steps and one of many give the same state") {
+    live::Stage one(sample::live_scene());
+    live::Stage many(sample::live_scene());
+    for (int i = 0; i < 120; ++i) one.step();
+    many.step(120);
+    CHECK(one.state_hash() == many.state_hash());
+    CHECK(live::report(one) == live::report(many));
+}
+
+TEST_CASE("a body that is dragged stands where it was put, and the picture follows") {
+    live::Stage stage(sample::live_scene());
+    const std::string before = viz::json_text(live::picture(stage));
+    stage.place(0, {0.25, 0.5}, 1);
+    CHECK(stage.bodies()[0].position == lod::Vector<2>(0.25, 0.5));
+    CHECK(stage.bodies()[0].orientation == 1);
+    CHECK(viz::json_text(live::picture(stage)) != before);
+    stage.place(0, {-50, 0}, 1);
+    CHECK(stage.pairs().empty());
+    CHECK(live::picture(stage).caption == "No two bodies are near: nothing is tested.");
+}
+
+TEST_CASE("no frame tests deeper than the level that was set") {
+    live::Stage stage = meeting();
+    std::uint64_t last = 0;
+    for (int level = 0; level <= 3; ++level) {
+        stage.set_level(level);
+        REQUIRE(stage.pairs().size() == 1);
+        CHECK(stage.pairs()[0].record.level == level);
+        CHECK(stage.pairs()[0].fronts.size() == static_cast<std::size_t>(level) + 1);
+        CHECK(stage.record().tests > last);
+        last = stage.record().tests;
+    }
+}
+
+TEST_CASE("the tests of the levels and those thrown away are all tests") {
+    live::Stage stage = meeting();
+    stage.set_level(1000);
+    const auto all = static_cast<int>(stage.record().tests);
+    for (int budget = 0; budget <= all + 1; ++budget) {
+        stage.set_budget(static_cast<std::uint64_t>(budget));
+        const Json report = report_of(stage);
+        int sum = report["dropped"].get<int>();
+        for (const Json& tests : report["by_level"]) sum += tests.get<int>();
+        CHECK(sum == report["tests"].get<int>());
+        CHECK(report["interrupted"].get<bool>() == (budget < all));
+        if (budget > 1) CHECK(report["tests"].get<int>() <= budget);
+    }
+}
+
+TEST_CASE("node pairs reserve their cost of a budget") {
+    live::Stage stage = meeting();
+    stage.set_budget(200);
+    stage.set_pair_cost(3);
+    const Json report = report_of(stage);
+    CHECK(report["reserved"].get<double>() > 0);
+    CHECK(report["reserved"].get<double>() + report["tests"].get<double>() <= 200);
+}
+
+TEST_CASE("the gap that a stage tells is that of the true shapes") {
+    live::Stage stage(sample::live_scene());
+    stage.set_level(0);
+    bool seen = false;
+    for (int i = 0; i < 60; ++i, stage.step()) {
+        for (const live::NearPair& near : stage.pairs()) {
+            if (near.record.verdict == lod::Verdict::apart) continue;
+            seen = true;
+            const auto bodies = stage.bodies();
+            const double wanted = lod::exactly_overlap<2>(bodies[0], bodies[1])
+                                      ? 0
+                                      : lod::separation<2>(bodies[0], bodies[1]).distance;
+            CHECK(near.gap == wanted);
+        }
+    }
+    CHECK(seen);
+}
+
+TEST_CASE("a hit is shown for a third of a second") {
+    live::Stage stage(sample::live_scene());
+    int frames = 0;
+    while (stage.hits().empty() && frames++ < 400) stage.step();
+    REQUIRE_FALSE(stage.hits().empty());
+    CHECK(count_role(live::picture(stage), viz::Role::impulse) ==
+          static_cast<int>(stage.hits().size()));
+    stage.step(120);
+    CHECK(stage.hits().empty());
+    CHECK(count_role(live::picture(stage), viz::Role::impulse) == 0);
+}
+
+TEST_CASE("restitution 0 leaves a head-on collision without closing speed") {
+    live::Stage stage(sample::live_scene());
+    const double before = lod::kinetic_energy<2>(stage.bodies());
+    stage.set_restitution(0);
+    stage.step(240);
+    CHECK(lod::kinetic_energy<2>(stage.bodies()) < 0.9 * before);
+    stage.reset();
+    stage.set_restitution(1);
+    stage.step(240);
+    CHECK(lod::kinetic_energy<2>(stage.bodies()) == Approx(before));
+}
+
+TEST_CASE("the point looked at is shown where attention decides") {
+    live::Stage stage = meeting();
+    CHECK(count_role(live::picture(stage), viz::Role::reference) == 0);
+    stage.set_policy(lod::Priority::perceptual);
+    stage.set_fixation({0.5, 0.25});
+    CHECK(count_role(live::picture(stage), viz::Role::reference) == 2);
+    CHECK(stage.scene().settings.viewer.fixation == lod::Viewer::Point{0.5, 0.25, 0});
+}
+
+TEST_CASE("the finding of a stage says what the record says") {
+    live::Stage stage = meeting();
+    CHECK(live::picture(stage).caption.find("true collision at level 3") != std::string::npos);
+    CHECK(live::picture(stage).caption.find("the shapes do overlap") != std::string::npos);
+    stage.set_contact_model(lod::ContactModel::centre_line);
+    stage.place(0, {-0.75, 0}, 0.3);
+    stage.set_level(0);
+    CHECK(live::picture(stage).caption.find("possible collision at level 0 after 1 node test,") !=
+          std::string::npos);
+    CHECK(live::picture(stage).caption.find("apart") != std::string::npos);
+}
+
+TEST_CASE("what a stage cannot do is refused and changes nothing") {
+    live::Stage stage(sample::live_scene());
+    const std::string before = live::report(stage);
+    const double nan = std::nan("");
+    CHECK_THROWS_AS(stage.place(9, {0, 0}, 0), lod::Error);
+    CHECK_THROWS_AS(stage.place(0, {nan, 0}, 0), lod::Error);
+    CHECK_THROWS_AS(stage.place(0, {0, 0}, 1e300), lod::Error);
+    CHECK_THROWS_AS(stage.move(0, {1e9, 0}, 0), lod::Error);
+    CHECK_THROWS_AS(stage.set_level(-1), lod::Error);
+    CHECK_THROWS_AS(stage.set_restitution(1.5), lod::Error);
+    CHECK_THROWS_AS(stage.set_pair_cost(nan), lod::Error);
+    CHECK_THROWS_AS(stage.set_fixation({nan, 0}), lod::Error);
+    CHECK_THROWS_AS(stage.step(-1), lod::Error);
+    CHECK(live::report(stage) == before);
+}
