@@ -10,12 +10,12 @@
 namespace live {
 namespace {
 
-constexpr std::size_t few_bodies = 4;      ///< are named, and their velocities told
-constexpr std::size_t most_lines = 48;     ///< between meeting nodes of a pair
-constexpr std::size_t told_impulses = 4;   ///< have their value beside them
-constexpr double normal_length = 0.06;     ///< of the view's longer side
-constexpr double longest_impulse = 0.16;   ///< the same
-constexpr double longest_velocity = 0.14;  ///< the same
+constexpr std::size_t few_bodies = 4;     ///< are named, and their velocities told
+constexpr std::size_t most_lines = 48;    ///< between meeting nodes of a pair
+constexpr std::size_t told_impulses = 4;  ///< have their value beside them
+constexpr double normal_length = 0.06;    ///< of the view's longer side
+constexpr double longest_impulse = 0.16;  ///< the same
+constexpr double longest_velocity = 0.1;  ///< the same
 
 std::size_t moving_bodies(const Stage& stage) {
     const auto bodies = stage.bodies();
@@ -143,15 +143,22 @@ std::string finding_of(const Stage& stage, const NearPair& near) {
     return text + ".";
 }
 
+std::string capitalised(std::string text) {
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 /// Of all pairs, in a sentence.
 std::string finding(const Stage& stage) {
     if (stage.pairs().empty()) return "No two bodies are near: nothing is tested.";
-    if (stage.pairs().size() == 1) return finding_of(stage, stage.pairs()[0]);
+    if (stage.pairs().size() == 1) return capitalised(finding_of(stage, stage.pairs()[0]));
     const auto apart = std::count_if(
         stage.pairs().begin(), stage.pairs().end(),
         [](const NearPair& near) { return near.record.verdict == lod::Verdict::apart; });
     return viz::count_text(static_cast<long long>(stage.pairs().size()), "pair") + " near, " +
-           std::to_string(apart) + " of them proved apart, by " +
+           (apart == static_cast<std::ptrdiff_t>(stage.pairs().size()) ? "all"
+                                                                       : std::to_string(apart)) +
+           " of them proved apart, by " +
            viz::count_text(static_cast<long long>(stage.record().tests), "node test") + "; " +
            viz::count_text(static_cast<long long>(stage.record().impacts.size()), "contact") + ".";
 }

@@ -146,10 +146,26 @@ const lodlabFigure = (() => {
       return next;
     }
 
-    drawWords(marks) {
-      const taken = [];
-      let next = this.words.firstChild;
+    // Boxes that words had better not cover: along each arrow, round each dot.
+    obstacles(marks) {
+      const boxes = [];
+      const add = ([x, y], half) => boxes.push({ left: x - half, right: x + half, top: y - half, bottom: y + half });
       for (const mark of marks) {
+        if (mark.mark === "dot") add(this.map.at(mark.at), 6);
+        if (mark.mark !== "arrow") continue;
+        const [x, y] = this.map.at(mark.tail);
+        const [u, v] = this.map.at(mark.tip);
+        const parts = Math.min(12, Math.ceil(Math.hypot(u - x, v - y) / 8));
+        for (let i = 0; i <= parts; ++i) add([x + ((u - x) * i) / parts, y + ((v - y) * i) / parts], 4);
+      }
+      return boxes;
+    }
+
+    drawWords(marks) {
+      const worded = marks.filter((mark) => mark.mark === "label" || mark.label);
+      const taken = worded.length > 0 && marks.length < 400 ? this.obstacles(marks) : [];
+      let next = this.words.firstChild;
+      for (const mark of worded) {
         const words = wordsOf(mark, this.map);
         if (!words) continue;
         const place = this.place(words, taken);

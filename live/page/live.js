@@ -14,7 +14,15 @@ const lodlabLive = (() => {
   const callsOf = (module) => {
     const wrap = (name, gives, takes) => module.cwrap(`lodlab_live_${name}`, gives, takes);
     return {
-      open: wrap("open", "number", ["string"]),
+      // A scene is too long for the module's stack, on which cwrap would put it.
+      open: (scene) => {
+        const bytes = module.lengthBytesUTF8(scene) + 1;
+        const place = module._malloc(bytes);
+        module.stringToUTF8(scene, place, bytes);
+        const live = module._lodlab_live_open(place);
+        module._free(place);
+        return live;
+      },
       error: wrap("error", "string", []),
       figure: wrap("figure", "string", ["number"]),
       state: wrap("state", "string", ["number"]),
@@ -244,9 +252,10 @@ const lodlabLive = (() => {
       if (body) {
         const [x, y] = map.at([body.x, body.y]);
         const reach = Math.max(22, 0.75 * body.reach * map.scale);
+        const far = Math.max(reach, body.reach * map.scale) + 18;
         const [a, b] = [Math.cos(body.angle), -Math.sin(body.angle)];
-        set(this.turner, { cx: x + (reach + 20) * a, cy: y + (reach + 20) * b });
-        set(this.arm, { d: `M${x + reach * a} ${y + reach * b}L${x + (reach + 11) * a} ${y + (reach + 11) * b}` });
+        set(this.turner, { cx: x + far * a, cy: y + far * b });
+        set(this.arm, { d: `M${x + reach * a} ${y + reach * b}L${x + (far - 9) * a} ${y + (far - 9) * b}` });
       }
       const looks = this.state.policy === "perceptual";
       set(this.eye, { visibility: looks ? "visible" : "hidden" });
@@ -285,9 +294,9 @@ const lodlabLive = (() => {
       this.text(".energy", `${state.energy.toPrecision(3)} J`);
       this.text(".hash", state.hash);
       this.text(".level-value", state.level >= state.levels - 1 ? "the leaves" : `level ${state.level}`);
-      this.text(".budget-value", state.budget === null ? "no limit" : counted(state.budget, "node test"));
+      this.text(".budget-value", state.budget === null ? "no limit" : counted(state.budget, "test"));
       this.text(".restitution-value", Number(this.find(".restitution").value).toFixed(2));
-      this.text(".reserve-value", counted(Number(this.find(".reserve").value), "node test"));
+      this.text(".reserve-value", counted(Number(this.find(".reserve").value), "test"));
       this.find(".reserve-row").hidden = state.budget === null;
       this.showBudgetBar();
       this.showLevels();
@@ -296,6 +305,7 @@ const lodlabLive = (() => {
 
     showBudgetBar() {
       const { state } = this;
+      this.find(".quota").style.visibility = state.budget === null ? "hidden" : "visible";
       const whole_ = Math.max(1, state.budget ?? state.tests, state.tests + state.reserved);
       this.find(".spent").style.width = `${(100 * (state.tests - state.dropped)) / whole_}%`;
       this.find(".dropped").style.width = `${(100 * state.dropped) / whole_}%`;

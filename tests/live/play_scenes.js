@@ -11,10 +11,20 @@ const [, , modulePath, folder] = process.argv;
 
 const callsOf = (module) => (name, gives, ...takes) => module.cwrap(`lodlab_live_${name}`, gives, takes);
 
-const play = (wrap, scene) => {
+const opened = (module, scene) => {
+  const bytes = module.lengthBytesUTF8(scene) + 1;
+  const place = module._malloc(bytes);
+  module.stringToUTF8(scene, place, bytes);
+  const live = module._lodlab_live_open(place);
+  module._free(place);
+  return live;
+};
+
+const play = (module, scene) => {
+  const wrap = callsOf(module);
   const error = wrap("error", "string");
   const need = (code) => { if (code !== 0) throw new Error(error()); };
-  const live = wrap("open", "number", "string")(scene);
+  const live = opened(module, scene);
   if (!live) throw new Error(error());
   const [state, figure] = [wrap("state", "string", "number"), wrap("figure", "string", "number")];
   const [step, reset] = [wrap("step", "number", "number", "number"), wrap("reset", "number", "number")];
@@ -52,13 +62,13 @@ const play = (wrap, scene) => {
 };
 
 const main = async () => {
-  const wrap = callsOf(await require(path.resolve(modulePath))());
+  const module = await require(path.resolve(modulePath))();
   let same = 0;
   let other = 0;
   for (const name of fs.readdirSync(folder).filter((file) => file.endsWith(".json")).sort()) {
     const scene = fs.readFileSync(path.join(folder, name), "utf8");
     const wanted = fs.readFileSync(path.join(folder, name.replace(/json$/, "txt")), "utf8");
-    const made = play(wrap, scene);
+    const made = play(module, scene);
     if (made === wanted) { same += 1; continue; }
     other += 1;
     console.log(`${name}: node makes\n${made}instead of\n${wanted}`);
