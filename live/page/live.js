@@ -150,6 +150,8 @@ const lodlabLive = (() => {
           "aria-label": `${body.name}: arrow keys move it, comma and full stop turn it`,
         }, this.handles);
         handle.addEventListener("pointerdown", (event) => this.grip(event, number, "move"));
+        // Browsers scroll by a finger on a part of an SVG whatever its touch-action says.
+        handle.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
         handle.addEventListener("keydown", (event) => this.key(event, number));
         handle.addEventListener("focus", () => { this.selected = number; this.showHandles(); });
         return handle;
@@ -157,9 +159,11 @@ const lodlabLive = (() => {
       this.turner = make("circle", { class: "turner", r: 9 }, this.handles);
       this.arm = make("path", { class: "arm" }, this.handles);
       this.handles.prepend(this.arm);
+      this.turner.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
       this.turner.addEventListener("pointerdown", (event) => this.grip(event, this.selected, "turn"));
       this.eye = make("circle", { class: "handle eye", r: 22, tabindex: 0, role: "button", "aria-label": "The point looked at: arrow keys move it" }, this.handles);
       this.eye.addEventListener("pointerdown", (event) => this.grip(event, -1, "look"));
+      this.eye.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
       this.eye.addEventListener("keydown", (event) => this.key(event, -1));
       this.fixation = this.scene.fixation.slice(0, 2);
     }

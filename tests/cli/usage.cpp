@@ -18,8 +18,8 @@ TEST_CASE("the help lists every command with an example of its own") {
     const Outcome help = lodlab({"--help"});
     CHECK(help.code == 0);
     CHECK(help.err.empty());
-    for (const std::string command :
-         {"tree", "collide", "simulate", "figure", "lesson", "book", "doctor", "completion"}) {
+    for (const std::string command : {"tree", "collide", "simulate", "figure", "lesson", "book",
+                                      "page", "doctor", "completion"}) {
         CHECK(contains(help.out, "\n  " + command + " "));
         const Outcome one = lodlab({command, "--help"});
         CHECK(one.code == 0);

@@ -33,6 +33,17 @@ TEST_CASE("a page is whole, and asks nothing of any network") {
     CHECK(page.find("<title>A star meets a gear &middot; lodlab</title>") != std::string::npos);
 }
 
+TEST_CASE("a page offers every policy, contact model and response, by its word") {
+    const std::string page(live::embedded::page_html());
+    const auto offers = [&](auto names) {
+        for (const std::string_view name : names)
+            CHECK(count(page, "<option value=\"" + std::string(name) + "\">") == 1);
+    };
+    offers(names_of(lod::Priority{}));
+    offers(names_of(lod::ContactModel{}));
+    offers(names_of(lod::Response{}));
+}
+
 TEST_CASE("a scene's words cannot break out of its page") {
     if (live::embedded::module_js().empty()) return;
     live::Scene scene = sample::live_scene();

@@ -119,7 +119,7 @@ def check_sliders(page, report):
     for _ in range(8):
         page.browser.press(RIGHT)
     cut = page.state()
-    report.expect("budget: set", cut["budget"], 9)
+    report.expect("budget: set", cut["budget"], 12)
     report.expect("budget: it ends frames", cut["interrupted"], True)
     report.expect("budget: said", "the budget ended first" in page.text(".spending"), True)
     report.expect("budget: a bar", page.browser.run("return document.querySelector('.spent').getBoundingClientRect().width > 0"), True)
@@ -163,7 +163,7 @@ def check_without_script(page, report):
     still = browser.call(browser.session + "/goog/cdp/execute", {"cmd": "DOM.querySelector", "params": {
         "nodeId": size["root"]["nodeId"], "selector": ".still svg"}})
     box = browser.call(browser.session + "/goog/cdp/execute", {"cmd": "DOM.getBoxModel", "params": {"nodeId": still["nodeId"]}})
-    report.expect("without JavaScript a picture stands there", box["model"]["width"] > 300, True)
+    report.expect("without JavaScript a picture stands there", box["model"]["width"] > 250, True)
 
 
 def check(lodlab, folder, browser):

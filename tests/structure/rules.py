@@ -12,7 +12,7 @@ import pathlib
 import re
 import sys
 
-LIBRARIES = ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons", "cli"]
+LIBRARIES = ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "live", "lessons", "cli"]
 
 # Includes run one way: a room may include itself and these, with all that is in them. A folder without
 # a line of its own is part of the room around it.
@@ -51,6 +51,8 @@ MAY_INCLUDE = {
     "viz/draw/motion": ["core", "lod2d", "lod3d", "viz/figure", "viz/draw"],
     "viz/paint": ["core", "io/files", "viz/figure"],
     "viz/film": ["core", "io/files", "viz/figure", "viz/paint"],
+    "live": ["core", "io", "lod2d", "scenes", "viz/figure", "viz/draw"],
+    "live/page": ["core", "live", "viz/figure", "viz/paint"],
     "lessons/embed": ["core"],
     "lessons/engine": ["core", "io/files", "lod2d", "lod3d", "viz", "lessons/embed"],
     "lessons/course": ["core", "lod2d", "lod3d", "viz", "lessons/engine"],
@@ -58,7 +60,7 @@ MAY_INCLUDE = {
     "cli/terminal": ["core"],
     "cli/arguments": ["core", "io", "lod2d", "lod3d", "scenes", "viz", "cli/terminal"],
     "cli/stage": ["core", "io/files", "lod2d", "lod3d", "scenes", "measure", "viz", "cli/terminal", "cli/arguments"],
-    "cli/commands": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons", "cli/terminal", "cli/arguments", "cli/stage"],
+    "cli/commands": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "live", "lessons", "cli/terminal", "cli/arguments", "cli/stage"],
     "cli": ["core", "cli"],
     "examples": ["core", "io", "lod2d", "lod3d", "scenes", "measure", "viz", "lessons"],
     "tests": LIBRARIES,
@@ -79,11 +81,11 @@ ONE_SOURCE = {
 }
 
 # Files, signals, processes and threads are not these rooms' affair; they compute anywhere.
-WITHOUT_SYSTEM = ["core", "lod2d/shape", "lod2d/builder", "lod3d/mesh", "lod3d/solid", "lod3d/builder", "viz/figure"]
+WITHOUT_SYSTEM = ["core", "lod2d/shape", "lod2d/builder", "lod3d/mesh", "lod3d/solid", "lod3d/builder", "viz/figure", "live"]
 OF_THE_SYSTEM = r"<(filesystem|fstream|iostream|csignal|thread|future|sys/|(unistd|fcntl|signal|poll|io|windows)\.h>)"
 
 # What a build for WebAssembly compiles, too (scripts/wasm); its standard library lacks these.
-PORTABLE = ["core", "io", "lod2d/shape", "lod2d/builder", "lod3d", "scenes", "measure", "viz/figure"]
+PORTABLE = ["core", "io", "lod2d/shape", "lod2d/builder", "lod3d", "scenes", "measure", "viz/figure", "viz/draw", "live"]
 NOT_PORTABLE = re.compile(r"\bstd::(ranges::\w+\s*\(|bit_cast\b)")
 NATIVE = {"lod3d/source/gltf_promises.cpp"}  # is left out there
 
@@ -105,7 +107,7 @@ EIGEN_BORDER = "core/math/eigen.hpp"
 ROUNDED_FREELY = re.compile(
     r"\bstd::(a?(sin|cos|tan)h?|atan2|exp2?|expm1|log(2|10|1p)?|pow|hypot|cbrt|erf|[lt]gamma)\s*\("
 )
-DECIDE_RESULTS = ["core", "io", "lod2d", "lod3d", "scenes", "measure"]
+DECIDE_RESULTS = ["core", "io", "lod2d", "lod3d", "scenes", "measure", "live"]
 
 # These are slow to compile or not part of our interface: sources only, never headers.
 NOT_IN_HEADERS = r"<(tbb/|nlohmann/json\.hpp|toml\+\+/|toml|CLI/|boost/|librsvg/|cairo|zlib|pugixml|polyclipping/|ft2build|fontconfig/|md4c|mustache)"

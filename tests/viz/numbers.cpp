@@ -44,6 +44,8 @@ TEST_CASE("lengths take the unit that suits them", "[numbers]") {
 
 TEST_CASE("one thing is singular", "[numbers]") {
     CHECK(count_text(1, "circle") == "1 circle");
+    CHECK(count_text(1, "body") == "1 body");
+    CHECK(count_text(2, "body") == "2 bodies");
     CHECK(count_text(12345, "circle") == "12\u2009345 circles");
 }
 
