@@ -41,6 +41,10 @@ constexpr Alone alone[] = {
      "SCENE --budget --milliseconds --policies --fixation --duration --response --contact-model "
      "--point-model --out --no-cache --raise-limits --theme --quality --json",
      "follows one run of one thread"},
+    {"exercise", "--hint", "EXERCISE", "only prints the next hint"},
+    {"exercise", "--solution", "EXERCISE", "only prints a solution"},
+    {"exercise", "--reset", "EXERCISE", "only writes the file anew"},
+    {"exercise", "--watch", "EXERCISE", "checks for readers, again and again"},
 };
 
 /// An option that says how something else is done.
@@ -80,6 +84,10 @@ bool is_timed(const Options& options) {
 bool has_number(const Options& options) {
     return options.number.has_value();
 }
+bool has_exercise(const Options& options) {
+    return !options.exercise.empty();
+}
+constexpr std::string_view name_an_exercise = "name one, as in lodlab exercise 1";
 constexpr Needed needed[] = {
     {"collide", "--projected", "what a picture shows", has_picture, "add --out FILE.png"},
     {"simulate", "--strip", "what a still picture shows", has_picture, "add --out FILE.png"},
@@ -100,6 +108,10 @@ constexpr Needed needed[] = {
      "add --out FILE.urdf; --depth limits the levels of the tree"},
     {"lesson", "--out", "where the pictures of a lesson go", has_number,
      "name one, as in lodlab lesson 3"},
+    {"exercise", "--hint", "what you want of an exercise", has_exercise, name_an_exercise},
+    {"exercise", "--solution", "what you want of an exercise", has_exercise, name_an_exercise},
+    {"exercise", "--reset", "what you want of an exercise", has_exercise, name_an_exercise},
+    {"exercise", "--watch", "what you want of an exercise", has_exercise, name_an_exercise},
 };
 
 bool has_word(std::string_view words, std::string_view word) {

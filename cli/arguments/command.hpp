@@ -27,6 +27,7 @@ void run_degrade(const Options& options);
 void run_crowd(const Options& options);
 void run_figure(const Options& options);
 void run_lesson(const Options& options);
+void run_exercise(const Options& options);
 void run_book(const Options& options);
 void run_page(const Options& options);
 void run_doctor(const Options& options);

@@ -17,6 +17,12 @@ struct Options {
     std::string scene;          ///< a file, or the name of a scene that comes with lodlab
     std::optional<int> number;  ///< of a figure or a lesson
 
+    std::string exercise;  ///< its number or its name
+    bool hint = false;
+    bool solution = false;
+    bool reset = false;
+    bool watch = false;
+
     bool json = false;
     std::vector<std::string> out;
     std::string theme = "light";

@@ -31,6 +31,8 @@ constexpr Command table[] = {
      "FIGURE --dim --contact-model --out --no-cache --theme --quality", run_figure},
     {"lesson", "List the lessons, or step through one, forwards and backwards",
      "lodlab lesson 3 --out pictures", "[LESSON] --pictures --theme", run_lesson},
+    {"exercise", "List the exercises of the lessons, begin one, or check what you wrote",
+     "lodlab exercise meet", "[EXERCISE] --hint --solution --reset --watch --json", run_exercise},
     {"book", "Write the lessons as web pages that need no network",
      "lodlab book --out book", "--folder --no-video --quality", run_book},
     {"page", "Write a scene of the plane as a page that one plays with, in one file",

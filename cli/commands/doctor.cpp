@@ -7,6 +7,7 @@
 
 #include "cli/arguments/command.hpp"
 #include "cli/terminal/output.hpp"
+#include "lessons/exercises/attempt.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/source/font.hpp"
 #include "lodlab/scenes/places.hpp"
@@ -35,6 +36,14 @@ std::string in_path(const std::string& program) {
         if (::access(file.c_str(), X_OK) == 0) return file.string();
     }
     return {};
+}
+
+std::string compiler_if_there() {
+    try {
+        return exercises::compiler().front();
+    } catch (const lod::Error&) {
+        return {};
+    }
 }
 
 std::string folder_if_there(const std::string& folder) {
@@ -75,6 +84,7 @@ std::vector<Finding> examine() {
          folder_if_there("/usr/share/openclipart/svg"), "openclipart-svg"},
         {"glmark2-data", "real meshes: the bunny of the figures in space", false,
          folder_if_there("/usr/share/glmark2/models"), "glmark2-data"},
+        {"C++ compiler", "exercises", false, compiler_if_there(), "g++"},
         {"chafa", "pictures of a lesson in the terminal", false, in_path("chafa"), "chafa"},
     };
 }

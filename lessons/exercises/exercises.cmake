@@ -1,0 +1,46 @@
+# Exercises in C++: an exercise is tasks/NAME.md, its words, reference solution and foreseen mistakes, and
+# tasks/NAME.cpp, its cases and the truth about them. This is their order, that of the lessons.
+
+set(exercises
+  meet surely_apart
+  holding_radius owner
+  next_front answer_in_time
+  contact_point impulse net_impulses
+  meeting_radius shadows_meet
+  box_inertia spin_change)
+
+add_executable(lodlab_embed_exercises
+  exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp embed/lines.cpp)
+target_include_directories(lodlab_embed_exercises PRIVATE ${PROJECT_SOURCE_DIR})
+target_link_libraries(lodlab_embed_exercises PRIVATE lodlab::core lodlab_warnings)
+
+list(TRANSFORM exercises PREPEND exercises/tasks/ OUTPUT_VARIABLE tasks)
+list(TRANSFORM tasks APPEND .md OUTPUT_VARIABLE words)
+list(TRANSFORM tasks APPEND .cpp)
+set(embedded ${CMAKE_CURRENT_BINARY_DIR}/exercises.cpp)
+add_custom_command(
+  OUTPUT ${embedded}
+  COMMAND lodlab_embed_exercises ${embedded} ${PROJECT_SOURCE_DIR} ${exercises}
+  DEPENDS lodlab_embed_exercises ${words} exercises/wire.hpp
+  WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+  COMMENT "Embedding the exercises" VERBATIM)
+set_source_files_properties(${embedded} PROPERTIES COMPILE_OPTIONS "-w;-O1")  # mistakes are no model
+
+lodlab_library(exercises STATIC
+  exercises/attempt.cpp
+  exercises/child.cpp
+  exercises/compiler_errors.cpp
+  exercises/exercise.cpp
+  exercises/judge.cpp
+  exercises/told.cpp
+  exercises/words.cpp
+  exercises/workshop.cpp
+  embed/lines.cpp
+  ${tasks}
+  ${embedded})
+target_link_libraries(lodlab_exercises PUBLIC lodlab::core PRIVATE lodlab::io lodlab::io_files)
+file(RELATIVE_PATH installed_headers /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_INCLUDEDIR})
+set_source_files_properties(exercises/attempt.cpp PROPERTIES COMPILE_DEFINITIONS
+  "LODLAB_INSTALLED_HEADERS=\"${installed_headers}\";LODLAB_BUILT_HEADERS=\"${lodlab_includes}\"")
+target_precompile_headers(lodlab_exercises REUSE_FROM lodlab_core)
+set_target_properties(lodlab_exercises PROPERTIES UNITY_BUILD OFF)  # each exercise has names of its own
