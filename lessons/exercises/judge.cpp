@@ -67,12 +67,14 @@ bool is_constant(const Answers& answers) {
 std::vector<int> recognised(const Exercise& exercise, std::span<const Case> cases,
                             const Answers& truths, const Answers& answers, std::size_t wrong) {
     const Variant* best = nullptr;
-    std::size_t explained = is_constant(answers) ? wrong + 1 : (wrong + 1) / 2;
+    std::size_t explained = (wrong + 1) / 2;
+    const bool constant = is_constant(answers);  // whose fault is in no single line
     for (const Variant& variant : exercise.variants) {
-        if (variant.mistakes.empty()) continue;
+        if (variant.mistakes.empty() || (constant && variant.mistakes.size() > 1)) continue;
         const Fit fit = fit_of(answers_of(cases, variant.answer), truths, answers);
         if (fit.whole) return variant.mistakes;
-        if (!fit.where_wrong || fit.explained < explained || variant.mistakes.size() > 1) continue;
+        if (constant || variant.mistakes.size() > 1) continue;
+        if (!fit.where_wrong || fit.explained < explained) continue;
         if (best == nullptr || fit.explained > explained) best = &variant;
         explained = fit.explained;
     }

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -101,6 +100,22 @@ void give(Writer& out, const std::vector<T>& list) {
     for (const T& one : list) give(out, one);
 }
 
+template <class... Argument>
+struct Types {};
+
+template <class Function, class... Taken>
+auto ask(Reader&, Function function, Types<>, Taken&... taken) {
+    return function(taken...);
+}
+
+/// Takes one argument after another from the case, then calls the function.
+template <class Function, class First, class... Rest, class... Taken>
+auto ask(Reader& in, Function function, Types<First, Rest...>, Taken&... taken) {
+    std::remove_cvref_t<First> argument;
+    take(in, argument);
+    return ask(in, function, Types<Rest...>(), taken..., argument);
+}
+
 template <class Signature>
 struct Call;
 
@@ -109,9 +124,7 @@ template <class Answer, class... Argument>
 struct Call<Answer(Argument...)> {
     template <class Function>
     static std::vector<double> answer(Function function, Reader in) {
-        std::tuple<std::decay_t<Argument>...> arguments;
-        std::apply([&](auto&... each) { (take(in, each), ...); }, arguments);
-        const Answer answer = std::apply(function, arguments);
+        const Answer answer = ask(in, function, Types<Argument...>());
         Writer out;
         give(out, answer);
         return out.numbers;

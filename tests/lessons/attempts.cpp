@@ -1,5 +1,5 @@
-// Students' files, compiled and asked: a few, for each takes a second. bench/exercises.cpp tries
-// every solution and mistake.
+// Students' files, compiled and asked: a few, for each takes a second. bench/lessons/exercises.cpp
+// tries every solution and mistake.
 #include <unistd.h>
 
 #include <csignal>

@@ -124,6 +124,17 @@ TEST_CASE("a function that always gives one answer is told so, and no mistake is
     CHECK(found.lines.front() == "It answers the same in every case: no.");
 }
 
+TEST_CASE("what a starter answers is no mistake, in any exercise") {
+    for (const Exercise& exercise : exercises::all()) {
+        CAPTURE(exercise.words.name);
+        const Numbers none(exercise.task.truth(exercises::cases_of(exercise)[0].numbers).size(),
+                           0.0);
+        const exercises::Judgement found = judged(exercise, [&](const Numbers&) { return none; });
+        CHECK_FALSE(found.passes);
+        CHECK(found.mistakes.empty());
+    }
+}
+
 TEST_CASE("a mistake is recognised although another one, unforeseen, stands beside it") {
     const Exercise& exercise = named("impulse");
     const exercises::Variant& no_gate = *std::find_if(

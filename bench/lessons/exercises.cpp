@@ -28,7 +28,7 @@ struct Trial {
     std::vector<int> mistakes;
     std::string name;
     double seconds = 0;
-    std::string wrong;  ///< what was said instead
+    std::string wrong{};  ///< what was said instead
 };
 
 std::vector<Trial> trials() {
@@ -55,7 +55,7 @@ void run(Trial& trial) {
     const exercises::Judgement found = exercises::judge(
         *trial.exercise, cases, exercises::attempt(*trial.exercise, trial.code, cases, "."));
     trial.seconds = seconds_since(begin);
-    const bool as_it_should = found.passes == trial.passes && found.wrong > 0 == !trial.passes &&
+    const bool as_it_should = found.passes == trial.passes && (found.wrong > 0) == !trial.passes &&
                               (trial.name == "starter" || found.mistakes == trial.mistakes);
     if (as_it_should) return;
     trial.wrong = found.verdict;
