@@ -26,11 +26,6 @@ using namespace std::chrono_literals;
 constexpr rlim_t most_output = 64 << 20;  // [bytes] of each file that it writes
 constexpr int not_started = 127;
 
-void limit(int what, rlim_t most) {
-    const rlimit both{most, most};
-    ::setrlimit(static_cast<__rlimit_resource>(what), &both);
-}
-
 /// In the child, after fork: nothing that another thread of the parent may have held.
 [[noreturn]] void become(const ChildCommand& command, char** words, pid_t parent) {
     ::setpgid(0, 0);
@@ -43,12 +38,15 @@ void limit(int what, rlim_t most) {
     const int output = ::open(command.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     ::dup2(output, STDOUT_FILENO);
     ::dup2(output, STDERR_FILENO);
-    limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_FSIZE, most_output);
+    const rlimit no_core{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit output_bytes{most_output, most_output};
+    ::setrlimit(RLIMIT_FSIZE, &output_bytes);
     const auto seconds = static_cast<rlim_t>(command.most_seconds);
     const rlimit processor{seconds, seconds + 1};
     ::setrlimit(RLIMIT_CPU, &processor);
-    if (command.most_memory > 0) limit(RLIMIT_AS, command.most_memory);
+    const rlimit memory{command.most_memory, command.most_memory};
+    if (command.most_memory > 0) ::setrlimit(RLIMIT_AS, &memory);
     ::execv(words[0], words);
     ::_exit(not_started);
 }

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <csignal>
 #include <fstream>
-#include <nlohmann/json.hpp>
 
 #include "tests/catch.hpp"
-#include "tests/cli/program.hpp"
+#include "tests/cli/keys.hpp"
 
 namespace {
 
@@ -22,6 +21,12 @@ std::string read(const std::string& path) {
 
 void write(const std::string& path, const std::string& text) {
     std::ofstream(path) << text;
+}
+
+void check_keys(const std::string& command, const Json& json) {
+    std::set<std::string> keys;
+    collect(json, "", keys);
+    CHECK(keys == documented(command));
 }
 
 /// The student's file fails: one line says so, and the output why.
@@ -64,7 +69,9 @@ TEST_CASE("an exercise is begun, fails, passes, and the list knows") {
     CHECK(passed.err.empty());
     CHECK(contains(passed.out, "exercises/meet.cpp passes: it answers all 412 cases"));
     CHECK(contains(passed.out, "Next: lodlab exercise surely_apart"));
-    const auto states = nlohmann::json::parse(exercise(scratch, {"--json"}).out)["exercises"];
+    const Json listed = Json::parse(exercise(scratch, {"--json"}).out);
+    check_keys("exercise", listed);
+    const Json states = listed["exercises"];
     CHECK(states[0]["state"] == "passes");
     CHECK(states[1]["state"] == "not begun");
     CHECK(exercise(scratch, {"meet", "--watch"}).code == 0);
@@ -79,7 +86,8 @@ TEST_CASE("a mistake is named on the terminal and to a program") {
     check_fails(exercise(scratch, {"meet"}), "", "you compare with < where it must be <=");
     const Outcome outcome = exercise(scratch, {"meet", "--json"});
     CHECK(outcome.code == 3);
-    const auto result = nlohmann::json::parse(outcome.out);
+    const Json result = Json::parse(outcome.out);
+    check_keys("exercise N", result);
     CHECK(result["state"] == "fails");
     CHECK(result["mistakes"] == std::vector<std::string>{"strict"});
     CHECK(result["wrong"] > 0);
@@ -115,6 +123,7 @@ TEST_CASE("an exercise that is asked for in a wrong way is a misuse") {
 TEST_CASE("without a compiler an exercise is begun, and its check names the package") {
     const Scratch scratch;
     REQUIRE(exercise(scratch, {"meet"}).code == 0);
+    write(scratch / "exercises/meet.cpp", "// mine\n");
     Start start;
     start.folder = scratch.path();
     start.environment = {"PATH=" + scratch.path().string()};
@@ -171,7 +180,7 @@ TEST_CASE("Ctrl-C ends a watch, and nothing but the student's file is left") {
     Start start;
     start.folder = scratch.path();
     start.signal = SIGINT;
-    start.when_exists = scratch / "exercises/.lodlab-exercises";  // it was checked
+    start.when_exists = scratch / "exercises/meet.cpp";
     const Outcome outcome = lodlab({"exercise", "meet", "--watch"}, start);
     CHECK(outcome.code == 130);
     CHECK(contains(outcome.out, "Wrote exercises/meet.cpp"));

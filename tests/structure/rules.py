@@ -55,7 +55,6 @@ MAY_INCLUDE = {
     "live/page": ["core", "live", "viz/figure", "viz/paint"],
     "lessons/embed": ["core"],
     "lessons/exercises": ["core", "io", "lessons/embed"],
-    "lessons/exercises/tasks": ["core", "lessons/exercises"],
     "lessons/engine": ["core", "io/files", "lod2d", "lod3d", "viz", "lessons/embed"],
     "lessons/course": ["core", "lod2d", "lod3d", "viz", "lessons/engine"],
     "lessons/book": ["core", "io", "lod2d", "lod3d", "viz", "lessons/embed", "lessons/engine"],
