@@ -73,7 +73,7 @@ class BookWriter {
             throw lod::Error(lod::ErrorKind::usage, "no such lesson; `lodlab lesson` lists them");
         choose_video_format();
         for (const Lesson& lesson : all) meter_.expect(work_of(lesson, with_video(lesson)));
-        for (const char* name : {"book.css", "book.js"})
+        for (const char* name : {"book.css", "book.js", "grade.js", "index.js", "questions.js"})
             lod::write_text_file(root_ / name, embedded_files().at(name));
         for (std::size_t i = 0; i < all.size(); ++i) write_lesson(all, i);
         write_index(all);
@@ -98,6 +98,13 @@ class BookWriter {
         for (char& c : figure)
             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
         return figure + ".svg";
+    }
+
+    /// Without the words that the page says above it.
+    static void write_picture(const fs::path& path, viz::Figure figure) {
+        figure.title.clear();
+        figure.numbers.clear();
+        viz::write_web_svg(path, figure, picture_width(figure));
     }
 
     void film(const fs::path& path, const Lesson& lesson, viz::Theme theme) {
@@ -149,7 +156,7 @@ class BookWriter {
         fs::create_directory(folder);
         const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": pictures";
         for (const auto& [name, figure] : lesson.figures) {
-            viz::write_web_svg(folder / picture_name(name), figure);
+            write_picture(folder / picture_name(name), figure);
             meter_.did(what, picture_work);
         }
         kainjow::mustache::data data;
@@ -170,6 +177,9 @@ class BookWriter {
             entry.set("number", std::to_string(lesson.entry.number));
             entry.set("title", lesson.entry.title);
             entry.set("steps", std::to_string(lesson.steps.size()));
+            std::size_t questions = 0;
+            for (const Step& step : lesson.steps) questions += step.questions.size();
+            entry.set("questions", std::to_string(questions));
             const std::string& first = lesson.steps.front().figure;
             entry.set("picture", picture_name(first));
             entry.set("size", size_attributes(lesson.figures.at(first)));

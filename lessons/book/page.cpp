@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "lessons/book/form.hpp"
 #include "lessons/embed/markdown.hpp"
 #include "lessons/embed/source.hpp"
 
@@ -16,34 +17,6 @@ bool is_letter(char c) {
 }
 bool is_word(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// `r_a` in running text becomes an italic letter with its index; tags and code stay as they are.
-std::string with_symbols(const std::string& html) {
-    std::string result;
-    bool in_tag = false;
-    bool in_code = false;
-    for (std::size_t i = 0; i < html.size(); ++i) {
-        const char c = html[i];
-        if (c == '<') {
-            in_tag = true;
-            if (html.compare(i, 5, "<code") == 0) in_code = true;
-            if (html.compare(i, 6, "</code") == 0) in_code = false;
-        }
-        const bool begins_word = i == 0 || !is_word(html[i - 1]);
-        if (!in_tag && !in_code && is_letter(c) && begins_word && i + 2 < html.size() &&
-            html[i + 1] == '_' && is_word(html[i + 2])) {
-            std::size_t end = i + 2;
-            while (end < html.size() && is_word(html[end])) ++end;
-            result += "<var>" + std::string(1, c) + "<sub>" + html.substr(i + 2, end - i - 2) +
-                      "</sub></var>";
-            i = end - 1;
-            continue;
-        }
-        if (c == '>') in_tag = false;
-        result += c;
-    }
-    return result;
 }
 
 std::string picture_html(const std::string& path, const viz::Figure& figure) {
@@ -78,9 +51,14 @@ std::string video_html(const Lesson& lesson, const VideoFiles& video) {
 
 }  // namespace
 
+double picture_width(const viz::Figure& figure) {
+    constexpr double of_three_columns = 640;
+    constexpr double narrow = 520;  // 15 units, the smallest words, are 11 px on a phone
+    return figure.columns > 2 ? of_three_columns : narrow;
+}
+
 std::string size_attributes(const viz::Figure& figure) {
-    constexpr double height = 720;
-    const auto width = static_cast<int>(std::lround(height * std::max(figure.aspect, 1.0)));
+    const auto width = static_cast<int>(std::lround(picture_width(figure)));
     const auto tall = static_cast<int>(std::lround(width / figure.aspect));
     return " width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(tall) + "\"";
 }
@@ -141,7 +119,8 @@ class PageWriter {
             if (tag.kind == "listing") html += listing_html(lesson_.listings.at(tag.name));
             if (tag.kind == "steps") html += steps_html();
             if (tag.kind == "video") html += video_html(lesson_, video_);
-            if (tag.kind == "figure") html += figure_html(tag.name) + "\n";
+            if (tag.kind == "figure")
+                html += figure_html(tag.name, {}, is_in_step(tag.name) ? again : "<figure>") + "\n";
         }
         pending += markdown.substr(done);
         flush();
@@ -149,9 +128,26 @@ class PageWriter {
     }
 
   private:
-    std::string figure_html(const std::string& name) {
-        return "<figure>" + picture_html(picture_path_(name), lesson_.figures.at(name)) +
-               "</figure>";
+    static constexpr const char* again = "<figure class=\"again\">";  ///< is not printed twice
+
+    [[nodiscard]] bool is_in_step(const std::string& figure) const {
+        return std::any_of(lesson_.steps.begin(), lesson_.steps.end(),
+                           [&](const Step& step) { return step.figure == figure; });
+    }
+
+    /// A picture with its finding in words, and what it counts unless that stands beside it.
+    std::string figure_html(const std::string& name, const std::vector<ShownNumber>& beside = {},
+                            const std::string& element = "<figure>") {
+        const viz::Figure& figure = lesson_.figures.at(name);
+        std::string facts;
+        for (const viz::Quantity& number : figure.numbers)
+            if (std::none_of(beside.begin(), beside.end(),
+                             [&](const ShownNumber& shown) { return shown.text == number.value; }))
+                facts += "<span>" + figure_words_html(number.name) + " <b>" +
+                         figure_words_html(number.value) + "</b></span> ";
+        return element + "<figcaption><strong>" + figure_words_html(figure.title) + "</strong>" +
+               (facts.empty() ? "" : " <span class=\"facts\">" + facts + "</span>") +
+               "</figcaption>" + picture_html(picture_path_(name), figure) + "</figure>";
     }
 
     std::string step_html(std::size_t index) {
@@ -160,8 +156,17 @@ class PageWriter {
         return "<article class=\"step\" id=\"" + id + "\" aria-labelledby=\"" + id +
                "-title\">\n<h3 id=\"" + id + "-title\"><span>" + std::to_string(index + 1) + "/" +
                std::to_string(lesson_.steps.size()) + "</span> " + escaped_html(step.title) +
-               "</h3>\n" + figure_html(step.figure) + "\n" + text_html(step.text) +
-               numbers_html(step.numbers) + "</article>\n";
+               "</h3>\n" + figure_html(step.figure, step.numbers) + "\n<div class=\"words\">" +
+               text_html(step.text) + numbers_html(step.numbers) + "</div>\n" +
+               questions_html(step) + "</article>\n";
+    }
+
+    std::string questions_html(const Step& step) {
+        if (step.questions.empty()) return {};
+        std::string html = "<div class=\"questions\">";
+        for (const Question& question : step.questions)
+            html += form_html(lesson_, question, ++questions_);
+        return html + "</div>\n";
     }
 
     std::string steps_html() {
@@ -181,12 +186,16 @@ class PageWriter {
         for (std::size_t i = 0; i < lesson_.steps.size(); ++i) html += step_html(i);
         return html +
                "<p class=\"hint\" hidden>The arrow keys <kbd>←</kbd> <kbd>→</kbd> step back and "
-               "forwards, <kbd>Home</kbd> and <kbd>End</kbd> go to the ends.</p>\n</section>\n";
+               "forwards, <kbd>Home</kbd> and <kbd>End</kbd> go to the ends.</p>\n</section>\n"
+               "<p class=\"tally\" data-lesson=\"" +
+               lesson_.entry.slug + "\" data-questions=\"" + std::to_string(questions_) +
+               "\" hidden></p>\n";
     }
 
     const Lesson& lesson_;
     const VideoFiles& video_;
     const PicturePath& picture_path_;
+    std::size_t questions_ = 0;  ///< written so far
 };
 
 }  // namespace

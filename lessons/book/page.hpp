@@ -10,6 +10,9 @@ namespace lessons {
 /// The path of a figure's picture, relative to the page.
 using PicturePath = std::function<std::string(const std::string& figure)>;
 
+/// Units across a figure's picture: few, so that its words can be read on a phone.
+[[nodiscard]] double picture_width(const viz::Figure& figure);
+
 /// " width=... height=..." of a figure's picture, so that a page keeps its place free.
 [[nodiscard]] std::string size_attributes(const viz::Figure& figure);
 

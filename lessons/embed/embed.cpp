@@ -129,7 +129,7 @@ std::string definition_in(const std::string& place, const std::string& name) {
     refuse(place + ": no definition of '" + name + "' in this folder");
 }
 
-/// One text of a lesson: the whole without its steps, or a step's.
+/// One text of a lesson: the whole without its steps, a step's, or words of a question.
 struct Text {
     std::string file;
     std::string markdown;
@@ -140,6 +140,12 @@ std::vector<Text> texts_of(const lessons::Script& script) {
     std::vector<Text> texts{{script.where, script.text, 0}};
     for (const lessons::StepScript& step : script.steps)
         texts.push_back({script.where, step.text, step.line});
+    for (const lessons::StepScript& step : script.steps)
+        for (const lessons::QuestionScript& question : step.questions) {
+            texts.push_back({script.where, question.prose.text, question.prose.line - 1});
+            for (const lessons::QuestionLine& line : question.lines)
+                texts.push_back({script.where, line.said.text, line.said.line - 1});
+        }
     return texts;
 }
 

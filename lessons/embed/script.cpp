@@ -1,7 +1,5 @@
 #include "lessons/embed/script.hpp"
 
-#include <cctype>
-
 #include "lessons/embed/lines.hpp"
 #include "lessons/embed/source.hpp"
 
@@ -9,15 +7,6 @@ namespace lessons {
 namespace {
 
 constexpr std::string_view step_heading = "### Step:";
-
-/// The key of a line `key: text`, or nothing.
-std::string_view key_of(std::string_view line) {
-    const std::size_t colon = line.find(": ");
-    if (colon == std::string_view::npos || colon == 0) return {};
-    for (const char c : line.substr(0, colon))
-        if (!std::islower(static_cast<unsigned char>(c)) && c != ' ') return {};
-    return line.substr(0, colon);
-}
 
 /// Takes a text apart, line by line.
 class Reader {
@@ -35,6 +24,8 @@ class Reader {
             end_words();
         else if (text.starts_with("{{") && text.find("}}") == text.size() - 2)
             take_tag(line, find_tags(line, where_, number_ - 1).front());
+        else if (question_)
+            take_question_line(text);
         else if (words_)
             take_word(text);
         else
@@ -58,6 +49,7 @@ class Reader {
 
     void end_words() {
         words_ = nullptr;
+        question_ = nullptr;
         keep("");
     }
 
@@ -66,13 +58,15 @@ class Reader {
         if (title.empty()) refuse("a step needs a title");
         check_last_step();
         script_.text += script_.steps.empty() ? "{{steps}}\n" : "\n";
-        script_.steps.push_back({title, {}, {}, 0, {}, number_});
+        script_.steps.push_back({title, {}, {}, 0, {}, {}, number_});
         words_ = nullptr;
+        question_ = nullptr;
     }
 
     void end_steps(const std::string& heading) {
         ended_ = !script_.steps.empty();
         words_ = nullptr;
+        question_ = nullptr;
         keep(heading);
     }
 
@@ -83,11 +77,18 @@ class Reader {
         if (trimmed(step.text).empty()) refuse_line(where_, step.line, name + "text");
         if (step.figure.empty())
             refuse_line(where_, step.line, name + "figure; add a line {{figure: NAME}}");
+        for (const QuestionScript& question : step.questions)
+            if (question.prose.text.empty())
+                refuse_line(where_, question.line,
+                            "question '" + question.name +
+                                "' asks nothing; write its prose below the tag, then its answer");
     }
 
     /// A tag on a line of its own.
     void take_tag(const std::string& line, const Tag& tag) {
         words_ = nullptr;
+        question_ = nullptr;
+        if (tag.kind == "ask") return take_question(tag);
         if (tag.kind == "steps") refuse("steps are sections '### Step: TITLE', not a tag");
         if (tag.kind == "shown") return take_shown(tag);
         if (tag.kind == "video" && in_step()) refuse("a video stands outside the steps");
@@ -110,6 +111,23 @@ class Reader {
         keep("");
     }
 
+    void take_question(const Tag& tag) {
+        if (!in_step()) refuse("a question stands in a step, which it keeps the reader in");
+        for (const StepScript& step : script_.steps)
+            for (const QuestionScript& other : step.questions)
+                if (other.name == tag.name)
+                    refuse("question '" + tag.name + "' is asked already, in line " +
+                           std::to_string(other.line));
+        script_.steps.back().questions.push_back({tag.name, number_, {}, {}});
+        question_ = &script_.steps.back().questions.back();
+        keep("");
+    }
+
+    void take_question_line(const std::string& text) {
+        take_line(*question_, text, where_, number_);
+        keep("");
+    }
+
     void take_word(const std::string& text) {
         const std::string key(key_of(text));
         if (!key.empty()) {
@@ -128,6 +146,13 @@ class Reader {
         keep("");
     }
 
+    /// Words below a tag, which hold numbers and no other tag.
+    void check_words(const KeyText& said) const {
+        for (const Tag& tag : find_tags(said.text, where_, said.line - 1))
+            if (tag.kind != "number")
+                refuse_line(where_, said.line, "a " + tag.kind + " stands on a line of its own");
+    }
+
     void check_tags() const {
         for (const Tag& tag : find_tags(script_.text, where_))
             if (tag.kind == "shown")
@@ -140,14 +165,20 @@ class Reader {
                                 "a " + tag.kind + " stands on a line of its own");
         for (const auto& [figure, words] : script_.words)
             for (const auto& [key, said] : words) (void)find_tags(said.text, where_, said.line - 1);
+        for (const StepScript& step : script_.steps)
+            for (const QuestionScript& question : step.questions) {
+                check_words(question.prose);
+                for (const QuestionLine& line : question.lines) check_words(line.said);
+            }
     }
 
     std::string where_;
     Script script_;
     int number_ = 0;
-    bool ended_ = false;       ///< a heading came after the steps
-    Words* words_ = nullptr;   ///< to which the next lines belong
-    KeyText* word_ = nullptr;  ///< that goes on where a line has no key
+    bool ended_ = false;                  ///< a heading came after the steps
+    Words* words_ = nullptr;              ///< to which the next lines belong
+    KeyText* word_ = nullptr;             ///< that goes on where a line has no key
+    QuestionScript* question_ = nullptr;  ///< to which the next lines belong
 };
 
 }  // namespace

@@ -5,13 +5,9 @@
 #include <string_view>
 #include <vector>
 
-namespace lessons {
+#include "lessons/embed/question.hpp"
 
-/// A line `key: text`.
-struct KeyText {
-    std::string text;
-    int line = 0;  ///< of lesson.md, 1 and up
-};
+namespace lessons {
 
 /// What the lines below a figure's or the video's tag say of it, by key.
 using Words = std::map<std::string, KeyText>;
@@ -31,6 +27,7 @@ struct StepScript {
     std::string figure;
     int figure_line = 0;
     std::vector<ShownTag> shown;
+    std::vector<QuestionScript> questions;
     int line = 0;  ///< of the title; the first line of `text` is the next one
 };
 

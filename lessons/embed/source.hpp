@@ -31,6 +31,7 @@ struct Format {
 ///     {{figure: NAME}}             a figure that the code gives, on a line of its own
 ///     {{number: NAME | FORMAT}}    a number that the code gives
 ///     {{shown: TOLD = NAME | FORMAT}}   the same, in the list below a step
+///     {{ask: NAME}}                a question to the reader, on a line of its own in a step
 ///     {{video}}                    the lesson's video, on a line of its own
 ///
 /// and {{steps}}, which read_script puts in the place of the steps.

@@ -1,30 +1,11 @@
-#include <algorithm>
-
 #include "lessons/embed/lines.hpp"
-#include "lessons/embed/source.hpp"
+#include "lessons/engine/filler.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lessons/engine/sketch.hpp"
 #include "lodlab/core/base/error.hpp"
 
 namespace lessons {
 namespace {
-
-template <class Table>
-std::string names_in(const Table& table) {
-    std::string names;
-    for (const auto& [name, value] : table) names += (names.empty() ? "" : ", ") + name;
-    return names.empty() ? "none" : names;
-}
-
-template <class Table>
-const auto& find(const Table& table, const std::string& kind, const std::string& name,
-                 const std::string& where, int line) {
-    const auto found = table.find(name);
-    if (found == table.end())
-        refuse_line(where, line,
-                    "no " + kind + " '" + name + "'; the lesson's code gives: " + names_in(table));
-    return found->second;
-}
 
 /// The path of a source from lessons/course on.
 std::string short_path(std::string path) {
@@ -42,68 +23,13 @@ void remember(Lesson& lesson, const std::string& what, const std::string& name,
             where + ": the " + what + "'" + name + "' is given already, in " + before->second);
 }
 
-/// Fills a lesson's words, and remembers what they used.
-class Filler {
-  public:
-    explicit Filler(const Lesson& lesson) : lesson_(lesson) {}
-
-    /// A text that begins after `lines_before` lines, its numbers filled in; other tags stay.
-    std::string fill(const std::string& text, int lines_before) {
-        std::string filled;
-        std::size_t done = 0;
-        for (const Tag& tag : find_tags(text, where(), lines_before)) {
-            const int line = lines_before + line_of(text, tag.begin);
-            filled += text.substr(done, tag.begin - done);
-            done = tag.end;
-            if (tag.kind == "number")
-                filled += number(tag.name, tag.format, line);
-            else
-                filled += text.substr(tag.begin, tag.end - tag.begin);
-            if (tag.kind == "listing")
-                (void)find(lesson_.listings, tag.kind, tag.name, where(), line);
-            if (tag.kind == "figure") use_figure(tag.name, line);
-            if (tag.kind == "video" && lesson_.animation.shots.empty())
-                refuse_line(where(), line, "the lesson's code gives no video");
-        }
-        return filled + text.substr(done);
-    }
-    std::string fill(const KeyText& words) { return fill(words.text, words.line - 1); }
-
-    std::string number(const std::string& name, const std::string& format, int line) {
-        const Number& number = find(lesson_.numbers, "number", name, where(), line);
-        used_.insert("number " + name);
-        if (format.empty()) return number.text;
-        if (!number.is_counted)
-            refuse_line(where(), line, "'" + name + "' is words, which take no format");
-        return in_format(number, read_format(format));
-    }
-
-    void use_figure(const std::string& name, int line) {
-        (void)find(lesson_.figures, "figure", name, where(), line);
-        used_.insert("figure " + name);
-    }
-
-    /// Throws for what the code gave in vain.
-    void check_all_used() const {
-        for (const auto& [what, place] : lesson_.given)
-            if (!used_.count(what))
-                throw lod::Error(lod::ErrorKind::input_refused,
-                                 place + ": no text of " + where() + " uses the " + what +
-                                     "; use it there or take it away");
-    }
-
-  private:
-    [[nodiscard]] const std::string& where() const { return lesson_.script.where; }
-
-    const Lesson& lesson_;
-    std::set<std::string> used_;
-};
-
 Step filled_step(const StepScript& script, Filler& filler) {
-    Step step{script.title, trimmed(filler.fill(script.text, script.line)), script.figure, {}};
+    Step step{script.title, trimmed(filler.fill(script.text, script.line)), script.figure, {}, {}};
     filler.use_figure(script.figure, script.figure_line);
     for (const ShownTag& tag : script.shown)
         step.numbers.push_back({tag.told, filler.number(tag.name, tag.format, tag.line)});
+    for (const QuestionScript& question : script.questions)
+        step.questions.push_back(make_question(question, filler));
     return step;
 }
 
@@ -149,13 +75,14 @@ void give(Lesson& lesson, const std::string& name, viz::Panel panel, const Heade
     viz::Figure figure = figure_of(std::move(panel));
     for (const auto& [told, number] : header)
         figure.numbers.push_back(
-            {told,
-             find(lesson.numbers, "number", number, short_path(place.file), place.line).text});
+            {told, find_given(lesson.numbers, "number", number, short_path(place.file), place.line)
+                       .text});
     give(lesson, name, std::move(figure), place);
 }
 
 std::string video_words(Lesson& lesson, const std::string& key) {
-    const KeyText& said = find(lesson.script.video, "video's words", key, lesson.script.where, 1);
+    const KeyText& said =
+        find_given(lesson.script.video, "video's words", key, lesson.script.where, 1);
     lesson.said.insert(key);
     return Filler(lesson).fill(said);
 }
@@ -168,6 +95,7 @@ void complete(Lesson& lesson) {
     for (const auto& [name, words] : lesson.script.words) caption(lesson, name, words, filler);
     if (!lesson.animation.shots.empty()) lesson.animation.title = video_words(lesson, "title");
     check_video_words(lesson);
+    check_questions(lesson);
     filler.check_all_used();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "lessons/embed/script.hpp"
+#include "lessons/engine/question.hpp"
 #include "lodlab/viz/figure/figure.hpp"
 #include "lodlab/viz/paint/options.hpp"
 
@@ -39,13 +40,14 @@ struct ShownNumber {
 };
 
 /// One step: what happens and why. Its text is Markdown, its numbers filled in; a symbol of the
-/// equations is written `r_a`. A question to the reader begins with **Predict:** and is answered by
-/// a later step.
+/// equations is written `r_a`. Its questions keep the reader from the next step until each is
+/// answered rightly or passed; a later step tells the answer.
 struct Step {
     std::string title;
     std::string text;
     std::string figure;  ///< its name among the lesson's
     std::vector<ShownNumber> numbers;
+    std::vector<Question> questions;
 };
 
 /// A lesson: its words, and what its code found and drew. The code gives numbers, figures and the
@@ -93,8 +95,9 @@ void give(Lesson& lesson, const std::string& name, viz::Panel panel, const Heade
 
 /// Fills numbers into the words, and gives figures their titles and alt texts. Throws lod::Error
 /// (input refused), with file and line, for a tag that names what the code does not give, a number
-/// or figure that no text uses, a figure without a title or an alt text, and words that nothing
-/// asks for.
+/// or figure that no text uses, a figure without a title or an alt text, words that nothing asks
+/// for, and a question that cannot be graded, that no later step answers, or whose answer the
+/// reader has seen.
 void complete(Lesson& lesson);
 
 /// Runs a lesson's code and completes it. Throws lod::Error: usage for a number that no lesson has;
@@ -114,7 +117,9 @@ struct StepperOptions {
 
 /// Steps through a lesson: next (Enter, n, space, right), back (b, p, left), a number or g NUMBER
 /// (goto), t (the lesson's text), ? (help), q (quit). Prints what happens and why, and writes the
-/// picture of each step it comes to. The end of the input quits.
+/// picture of each step it comes to. A step's questions are asked below it: then a whole line is an
+/// answer, whatever it says, and commands begin with a colon (:p passes). The end of the input
+/// quits.
 /// Throws lod::Error: output failed where the pictures cannot be written, or would replace others.
 void step_in_terminal(const Lesson& lesson, std::istream& input, std::ostream& output,
                       const StepperOptions& options = {});

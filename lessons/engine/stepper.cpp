@@ -1,11 +1,13 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <istream>
 #include <optional>
 #include <ostream>
 #include <system_error>
 
+#include "lessons/engine/answer_mode.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lessons/engine/plain.hpp"
 #include "lessons/engine/viewer.hpp"
@@ -25,11 +27,16 @@ constexpr std::string_view help_text =
     "?                       this help\n"
     "q                       quit\n";
 
+constexpr std::string_view answer_help =
+    "A number may have a decimal comma or point, and a unit or none; a choice is a letter.\n"
+    ":p   pass this question     :b   one step back     :5   go to step 5\n"
+    ":t   the lesson's text      :h   this help         :q   quit\n";
+
 struct Command {
-    enum class Kind { next, back, go, text, help, quit, unknown };
+    enum class Kind { next, back, go, text, help, quit, pass, answer, unknown };
     Kind kind = Kind::unknown;
     int step = 0;       ///< of go
-    std::string typed;  ///< of unknown
+    std::string typed;  ///< of unknown, and of answer
 };
 
 /// A whole line of input, as a pipe or a terminal in line mode gives it.
@@ -51,6 +58,16 @@ Command parse_line(std::string line) {
         digits.find_first_not_of("0123456789") == std::string::npos)
         return {Kind::go, std::stoi(digits), {}};
     return {Kind::unknown, 0, line};
+}
+
+/// A line typed to a question: an answer, or a command after a colon.
+Command parse_answer(const std::string& line) {
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first == std::string::npos || line[first] != ':') return {Command::Kind::answer, 0, line};
+    const std::string word = line.substr(first + 1);
+    if (word == "p" || word == "p\r" || word == "pass") return {Command::Kind::pass, 0, {}};
+    if (word.empty() || word == "\r") return {Command::Kind::help, 0, {}};
+    return parse_line(word);
 }
 
 /// Single keys of a terminal; digits are gathered until Enter.
@@ -82,6 +99,20 @@ Command read_command_from_keys(int terminal, std::ostream& output) {
     }
 }
 
+/// What the reader says next: a key, a line, or in answer to a question a whole line. Nothing at
+/// the end of the input.
+std::optional<Command> read_command(bool is_asking, std::istream& input, std::ostream& output,
+                                    int keyboard) {
+    if (keyboard >= 0 && !is_asking) return read_command_from_keys(keyboard, output);
+    std::optional<std::string> line;
+    if (keyboard >= 0)
+        line = read_line_from_keys(keyboard, output);
+    else if (std::string typed; std::getline(input, typed))
+        line = typed;
+    if (!line) return {};
+    return is_asking ? parse_answer(*line) : parse_line(*line);
+}
+
 /// A folder that goes away again, for pictures that are only shown.
 class TemporaryFolder {
   public:
@@ -111,7 +142,7 @@ bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) 
 class Stepper {
   public:
     Stepper(const Lesson& lesson, std::ostream& output, const StepperOptions& options)
-        : lesson_(lesson), output_(output), options_(options) {
+        : lesson_(lesson), output_(output), options_(options), answers_(lesson, output, options) {
         if (options.show_inline) viewer_ = find_viewer();
         if (!viewer_.empty() && options.pictures.empty()) shown_only_.emplace();
         if (options.pictures.empty()) return;
@@ -136,9 +167,9 @@ class Stepper {
         switch (command.kind) {
             case Command::Kind::next:
                 if (at_ == last())
-                    output_ << "That was the last step. b goes back, q quits.\n";
+                    end();
                 else
-                    go(at_ + 1);
+                    advance(at_ + 1);
                 return true;
             case Command::Kind::back:
                 if (at_ == 1)
@@ -147,7 +178,14 @@ class Stepper {
                     go(at_ - 1);
                 return true;
             case Command::Kind::go:
-                go(command.step);
+                advance(command.step);
+                return true;
+            case Command::Kind::answer:
+                answers_.answer(at_, command.typed);
+                if (!is_asking()) output_ << "\nEnter: next step.\n";
+                return true;
+            case Command::Kind::pass:
+                answers_.pass(at_);
                 return true;
             case Command::Kind::text:
                 output_ << "\n"
@@ -155,7 +193,7 @@ class Stepper {
                                              options_.styled);
                 return true;
             case Command::Kind::help:
-                output_ << help_text;
+                output_ << (is_asking() ? answer_help : help_text);
                 return true;
             case Command::Kind::unknown:
                 output_ << "'" << viz::plain_text(command.typed)
@@ -167,7 +205,22 @@ class Stepper {
         return false;
     }
 
-    void prompt() { output_ << "> " << std::flush; }
+    /// Whether the step that is shown has a question left.
+    [[nodiscard]] bool is_asking() const { return answers_.open_in(at_) != nullptr; }
+
+    void prompt() {
+        const Question* question = answers_.open_in(at_);
+        if (question && question != asked_) answers_.ask(at_);
+        asked_ = question;
+        output_ << (question ? "answer> " : "> ") << std::flush;
+    }
+
+    void say_goodbye() {
+        const Tally tally = answers_.tally();
+        if (tally.at_once + tally.later + tally.passed > 0)
+            output_ << "Questions: " << in_words(tally) << "\n";
+        output_ << std::flush;
+    }
 
   private:
     [[nodiscard]] int last() const { return static_cast<int>(lesson_.steps.size()); }
@@ -206,7 +259,24 @@ class Stepper {
         viz::write_png(path, lesson_.figures.at(step.figure), how);
     }
 
+    void end() {
+        output_ << "That was the last step. b goes back, q quits.\n";
+        const Tally tally = answers_.tally();
+        if (tally.at_once + tally.later + tally.passed + tally.open > 0)
+            output_ << "Questions: " << in_words(tally) << "\n";
+    }
+
+    /// Goes to a step, or to the first on the way whose question is open.
+    void advance(int number) {
+        const std::optional<int> blocked = answers_.blocked_between(at_, std::min(number, last()));
+        if (!blocked || number > last()) return go(number);
+        if (*blocked != at_) go(*blocked);
+        output_ << "\nFirst answer the question of this step, or pass it by :p.\n";
+        asked_ = nullptr;
+    }
+
     void go(int number) {
+        asked_ = nullptr;
         if (number < 1 || number > last()) {
             output_ << "There are steps 1 to " << last() << ".\n";
             return;
@@ -242,7 +312,9 @@ class Stepper {
     const StepperOptions& options_;
     std::filesystem::path viewer_;
     std::optional<TemporaryFolder> shown_only_;
-    int at_ = 0;
+    AnswerMode answers_;
+    const Question* asked_ = nullptr;  ///< the question that stands last on the screen
+    int at_ = 1;
 };
 
 }  // namespace
@@ -261,18 +333,13 @@ void step_in_terminal(const Lesson& lesson, std::istream& input, std::ostream& o
     for (;;) {
         lod::check_interrupted();
         stepper.prompt();
-        Command command;
-        if (options.keyboard >= 0) {
-            command = read_command_from_keys(options.keyboard, output);
-        } else {
-            std::string line;
-            if (!std::getline(input, line)) break;
-            command = parse_line(line);
-        }
+        const std::optional<Command> command =
+            read_command(stepper.is_asking(), input, output, options.keyboard);
+        if (!command) break;
         output << "\n";
-        if (!stepper.obey(command)) break;
+        if (!stepper.obey(*command)) break;
     }
-    output << std::flush;
+    stepper.say_goodbye();
 }
 
 }  // namespace lessons

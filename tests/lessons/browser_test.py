@@ -96,6 +96,16 @@ class Browser:
     def resize(self, width, height):
         self.call(self.session + "/window/rect", {"width": width, "height": height})
 
+    def measure(self, width, height, dark=False):
+        """A window of just this size inside; narrow ones are a telephone's."""
+        self.command("Emulation.setDeviceMetricsOverride",
+                     {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600})
+        self.command("Emulation.setEmulatedMedia", {"features": [
+            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}]})
+
+    def command(self, name, parameters):
+        return self.call(self.session + "/goog/cdp/execute", {"cmd": name, "params": parameters})
+
     def complaints(self):
         log = self.call(self.session + "/se/log", {"type": "browser"})
         return [entry["message"] for entry in log if entry["level"] == "SEVERE"]

@@ -41,10 +41,10 @@ std::string session(const std::string& input, const StepperOptions& options = {}
     return out.str();
 }
 
-/// What the stepper printed for each step it showed, in order: from "[2/7]" to the prompt.
+/// What the stepper printed for each step it showed, in order: from "[2/7]" to its end.
 std::vector<std::string> texts(const std::string& output) {
     std::vector<std::string> result;
-    const std::regex step("\n\\[[0-9]+/[0-9]+\\][^]*?\n> ");
+    const std::regex step("\n\\[[0-9]+/[0-9]+\\][^]*?(?=\n> |\n\nQuestion)");
     for (std::sregex_iterator it(output.begin(), output.end(), step), end; it != end; ++it)
         result.push_back(it->str());
     return result;
@@ -160,7 +160,11 @@ TEST_CASE("every lesson can be stepped through to its end and back in a pipe", "
     for (const Entry& entry : list()) {
         const Lesson lesson = run(entry.number);
         std::string input;
-        for (std::size_t i = 1; i < lesson.steps.size(); ++i) input += "n\n";
+        for (std::size_t i = 1; i < lesson.steps.size(); ++i) {
+            for (const Question& question : lesson.steps[i - 1].questions)
+                input += question.choices.empty() ? "0\n:p\n" : "a\n" + question.answer + "\n";
+            input += "n\n";
+        }
         for (std::size_t i = 1; i < lesson.steps.size(); ++i) input += "b\n";
         std::istringstream in(input + "t\nq\n");
         std::ostringstream out;

@@ -384,8 +384,7 @@ void paint_marks(const Panel& panel, const PanelPlace& place, const PanelInk& in
     Rect bounds = grown(place.frame, -6);
     if (panel.axes) {  // the names of curves may stand right of the frame
         bounds = place.frame;
-        bounds.width = page_width * (1 - margin_share) - bounds.x;
-        bounds.width = std::min(bounds.width, place.title.right() - bounds.x);
+        bounds.width = place.title.right() - bounds.x;
     }
     if (place.title.y > place.frame.y && place.title.height > 0) {
         bounds.y += place.title.height;

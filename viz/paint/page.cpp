@@ -259,9 +259,10 @@ double Mapping::length(double metres) const {
     return metres * place.width / (view.high.x - view.low.x);
 }
 
-PageLayout lay_out_page(const Figure& figure, Canvas& canvas) {
+PageLayout lay_out_page(const Figure& figure, Canvas& canvas, double width) {
     PageLayout layout;
-    layout.height = std::round(page_width / figure.aspect);
+    layout.width = width;
+    layout.height = std::round(width / figure.aspect);
     const double side = margin_share * layout.width;
     const double top = margin_share * std::min(layout.height, 720.0);
     Rect content{side, top, layout.width - 2 * side, layout.height - 2 * top};

@@ -45,7 +45,9 @@ struct PageLayout {
     std::vector<PanelPlace> panels;
 };
 
-[[nodiscard]] PageLayout lay_out_page(const Figure& figure, Canvas& canvas);
+/// On a narrower page words are larger beside the shapes.
+[[nodiscard]] PageLayout lay_out_page(const Figure& figure, Canvas& canvas,
+                                      double width = page_width);
 
 /// Whether a panel's title stands within its frame.
 [[nodiscard]] bool title_within(const Panel& panel, const PanelPlace& place);

@@ -109,10 +109,10 @@ Hidden paint_space(const Panel& panel, const PanelPlace& place, Theme theme, Rgb
 
 }  // namespace
 
-void paint(const Figure& figure, Theme theme, Canvas& canvas) {
+void paint(const Figure& figure, Theme theme, Canvas& canvas, double width) {
     const PageInks inks = page_inks(theme);
     canvas.clear(inks.ground);
-    const PageLayout layout = lay_out_page(figure, canvas);
+    const PageLayout layout = lay_out_page(figure, canvas, width);
     paint_header(figure, layout, inks, canvas);
     paint_headings(figure, layout, inks, canvas);
     for (std::size_t i = 0; i < figure.panels.size(); ++i) {
@@ -145,8 +145,8 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas) {
     paint_foot(figure, layout, inks, canvas);
 }
 
-double page_height(const Figure& figure) {
-    return std::round(page_width / figure.aspect);
+double page_height(const Figure& figure, double width) {
+    return std::round(width / figure.aspect);
 }
 
 double pixels_per_unit(Quality quality) {
@@ -172,9 +172,10 @@ Image rasterise(const Figure& figure, Theme theme, Quality quality) {
 
 namespace {
 
-std::string page_bytes(const Figure& figure, Theme theme, PageFormat format, double scale) {
-    Canvas canvas(format, page_width, page_height(figure), scale);
-    paint(figure, theme, canvas);
+std::string page_bytes(const Figure& figure, Theme theme, PageFormat format, double scale,
+                       double width = page_width) {
+    Canvas canvas(format, width, page_height(figure, width), scale);
+    paint(figure, theme, canvas, width);
     return canvas.bytes(plain_text(figure.title), figure.alt);
 }
 
@@ -201,17 +202,19 @@ void write_pdf(const std::filesystem::path& path, const Figure& figure,
     write_page(path, figure, options, PageFormat::pdf);
 }
 
-std::string web_svg_text(const Figure& figure) {
-    constexpr double scale = 1.4;  // a page of 1280 units is shown at most 896 pixels wide
+std::string web_svg_text(const Figure& figure, double width) {
+    constexpr double pixels = 1400;  // across: a page is shown at most 700 pixels wide
+    const double scale = std::max(1.4, pixels / width);
     check_figure(figure);
-    return compacted(for_both_themes(page_bytes(figure, Theme::light, PageFormat::web, scale),
-                                     page_bytes(figure, Theme::dark, PageFormat::web, scale)));
+    return compacted(
+        for_both_themes(page_bytes(figure, Theme::light, PageFormat::web, scale, width),
+                        page_bytes(figure, Theme::dark, PageFormat::web, scale, width)));
 }
 
-void write_web_svg(const std::filesystem::path& path, const Figure& figure) {
+void write_web_svg(const std::filesystem::path& path, const Figure& figure, double width) {
     check_figure(figure);
     lod::OutputFile file(path);
-    file.write(web_svg_text(figure));
+    file.write(web_svg_text(figure, width));
     file.commit();
 }
 

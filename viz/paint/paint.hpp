@@ -1,14 +1,15 @@
 #pragma once
 
 #include "lodlab/viz/paint/canvas/canvas.hpp"
+#include "lodlab/viz/paint/page.hpp"
 
 namespace viz {
 
 /// Draws the whole figure on a canvas of the page's size.
-void paint(const Figure& figure, Theme theme, Canvas& canvas);
+void paint(const Figure& figure, Theme theme, Canvas& canvas, double width = page_width);
 
-/// Height of the figure's page, whose width is page_width.
-[[nodiscard]] double page_height(const Figure& figure);
+/// Height of the figure's page.
+[[nodiscard]] double page_height(const Figure& figure, double width = page_width);
 
 /// Pixels for one page unit.
 [[nodiscard]] double pixels_per_unit(Quality quality);

@@ -25,12 +25,13 @@ void write_pdf(const std::filesystem::path& path, const Figure& figure,
                const WriteOptions& options = {});
 
 /// A small SVG for browsers, for both themes: light, or dark where its reader prefers that. Shaded
-/// surfaces in it are WebP, and coordinates are rounded to what can be seen. Throws as the others
-/// do.
-void write_web_svg(const std::filesystem::path& path, const Figure& figure);
+/// surfaces in it are WebP, and coordinates are rounded to what can be seen. The page is `width`
+/// units wide, in which words keep their size: the narrower, the larger they are beside the shapes.
+/// Throws as the others do.
+void write_web_svg(const std::filesystem::path& path, const Figure& figure, double width = 1280);
 
 /// The same as text, to stand within a page.
-[[nodiscard]] std::string web_svg_text(const Figure& figure);
+[[nodiscard]] std::string web_svg_text(const Figure& figure, double width = 1280);
 
 /// Picks the format by the ending: png, svg, pdf, json. Any other ending throws lod::Error (usage).
 void write_figure(const std::filesystem::path& path, const Figure& figure,

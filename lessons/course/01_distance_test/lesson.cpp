@@ -76,6 +76,10 @@ viz::Figure draw_test(const Scene& scene) {
 void give_shapes(Lesson& lesson, const Scene& scene) {
     give(lesson, "edge pairs",
          count(edge_count(scene.gear_shape.polygon) * edge_count(scene.star_shape.polygon)));
+    constexpr int bodies = 100;
+    give(lesson, "bodies", count(bodies));
+    give(lesson, "other bodies", count(bodies - 1));
+    give(lesson, "body pairs", count(bodies * (bodies - 1) / 2));
     viz::Panel panel = draw_shapes(scene);
     add_label(panel, viz::Role::body, scene.gear.body.position, "A", 0);
     add_label(panel, viz::Role::body, scene.star.body.position, "B", 1);
@@ -160,9 +164,10 @@ void give_touching(Lesson& lesson) {
     give(lesson, "touching verdict", words(touching ? "they meet" : "apart"));
     viz::Panel panel;
     panel.view = box(-2.6, -2.3, 6.3, 7.2);
-    add_circles(panel, a, b, touching);
     add_centres(panel, a, b);
     add_sides(panel, a.centre, b.centre, "3", "4");
+    give(lesson, "centres", panel);
+    add_circles(panel, a, b, touching);
     const Vec along = (b.centre - a.centre).normalized();
     if (touching) add_dot(panel, viz::Role::true_collision, a.centre + a.radius * along);
     viz::Figure figure = figure_of(std::move(panel));

@@ -90,6 +90,8 @@ void give_levels(Lesson& lesson, const Crescent& crescent) {
         give(lesson, level.level == 0 ? "root" : "level " + name,
              draw_level(crescent, level.level));
     }
+    constexpr int most_children = 4;
+    give(lesson, "most circles", count(most_children * most_children * most_children));
     give(lesson, "filled share", number(100 / crescent.facts[0].measure_ratio, 0, "%"));
     for (const std::size_t level : {2, 3})
         give(lesson, "gain " + std::to_string(level),
@@ -144,7 +146,7 @@ void give_outside(Lesson& lesson, const Crescent& crescent) {
     add_label(panel, viz::Role::note, tree.sphere(farthest).centre, "child", 0,
               tree.radius[Tree::index(farthest)]);
     give(lesson, "children outside", count(outside));
-    give(lesson, "nodes in all", count(tree.size()));
+    give(lesson, "nodes with parents", count(tree.size() - 1));
     viz::Figure figure = figure_of(std::move(panel));
     figure.numbers = {
         {"reach outside", shown_count(outside) + " of " + shown_count(tree.size() - 1)}};

@@ -104,6 +104,12 @@ std::uint64_t leaves_of(const viz::Actor<2>& actor) {
     return static_cast<std::uint64_t>(std::count(counts.begin(), counts.end(), 0));
 }
 
+/// "1 of them overlaps and forms", "4 of them overlap and form".
+Number overlapping(std::size_t pairs) {
+    return words(shown_count(pairs) +
+                 (pairs == 1 ? " of them overlaps and forms" : " of them overlap and form"));
+}
+
 void give_levels(Lesson& lesson, const Scene& scene) {
     for (std::size_t level = 0; level < scene.levels.size(); ++level) {
         const std::size_t pairs = scene.levels[level].pairs.size();
@@ -112,6 +118,12 @@ void give_levels(Lesson& lesson, const Scene& scene) {
         give(lesson, "tests so far " + name, count(scene.levels[level].tests));
         give(lesson, "front " + name, count(pairs, pairs == 1 ? "pair" : "pairs"));
         give(lesson, "level " + name, draw_level(scene, level));
+        if (level + 1 == scene.levels.size()) continue;  // its front is empty
+        give(lesson, "front " + name + " meet", words(pairs == 1 ? "intersects" : "intersect"));
+        if (level > 0) give(lesson, "front " + name + " overlap", overlapping(pairs));
+        if (level % 2 == 0)
+            give(lesson, "front " + name + " all",
+                 words(pairs == 1 ? "The only pair" : "Each pair"));
     }
     const auto children = [](const viz::Actor<2>& actor) {
         return count(actor.body.tree->child_count[0]);
@@ -177,6 +189,8 @@ void give_interruption(Lesson& lesson, const Scene& scene) {
     give(lesson, "tests wasted", count(front.tests - scene.levels[level].tests));
     give(lesson, "kept pairs", words(pairs_text(front.pairs.size())));
     viz::Figure figure = draw_level(scene, level);
+    figure.numbers = {{"budget", shown_count(quota) + " tests"}};
+    give(lesson, "time is up", figure);
     figure.numbers = {{"budget", shown_count(quota) + " tests"},
                       {"last finished level", std::to_string(level)},
                       {"verdict", in_words(front.verdict)}};

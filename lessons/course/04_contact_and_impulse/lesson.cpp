@@ -66,9 +66,9 @@ void give_nodes(Lesson& lesson, const Scene& scene) {
 void give_normal(Lesson& lesson, const Scene& scene) {
     viz::Panel panel = nodes_panel(scene);
     add_centres(panel, scene.node_a, scene.node_b);
-    const Vec from = scene.contact.point;
+    const Vec from = scene.node_b.centre;
     const Vec n = scene.contact.normal;
-    add_arrow(panel, viz::Role::normal, from, from + 0.6 * scene.node_b.radius * n, "*n*");
+    add_arrow(panel, viz::Role::normal, from, from + 2.5 * scene.node_b.radius * n, "*n*");
     give(lesson, "n", words(vector_text<2>(n), n.x()));
     give(lesson, "normal", std::move(panel));
 }

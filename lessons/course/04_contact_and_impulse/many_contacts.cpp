@@ -68,7 +68,8 @@ void add_landing(viz::Panel& panel, const Landing& landing) {
     add_body(panel, floor, 0);
     add_body(panel, box_actor, 1);
     for (std::size_t i = 0; i < landing.impacts.size(); ++i)
-        add_push(panel, landing.impacts[i].contact.point, Vec(0, 0.7 * landing.impulses[i]));
+        if (landing.impulses[i] > 0)
+            add_push(panel, landing.impacts[i].contact.point, Vec(0, 0.7 * landing.impulses[i]));
     const Vec v = landing.bodies[1].velocity;
     add_arrow(panel, viz::Role::velocity, Vec(0, 1.05), Vec(0, 1.05) + velocity_length * v,
               shown(v.y(), 2) + " m/s", 1);
@@ -86,6 +87,15 @@ void give_landing(Lesson& lesson) {
         add_landing(panel, landing);
         figure.panels.push_back(std::move(panel));
     }
+    Landing falling = land(Response::net, contacts);
+    falling.bodies[1].velocity = Vec(0, -1);
+    falling.impulses.assign(falling.impulses.size(), 0.0);
+    viz::Panel before;
+    before.view = box(-1.8, -0.4, 1.8, 2.1);
+    add_landing(before, falling);
+    for (const lod::Impact<2>& impact : falling.impacts)
+        add_dot(before, viz::Role::contact, impact.contact.point);
+    give(lesson, "four contacts", std::move(before));
     give(lesson, "single j", number(land(Response::net, 1).impulses[0], 3, "N s"));
     give(lesson, "landing", std::move(figure));
 }

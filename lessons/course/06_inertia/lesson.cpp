@@ -144,10 +144,12 @@ void give_corner(Lesson& lesson, const Crate& crate) {
     give(lesson, "corner spin", words(vector_text<3>(box.spin) + "\u00a0rad/s", box.spin.x()));
     give(lesson, "corner speed", number(box.velocity.y(), 3, "m/s"));
     viz::Panel panel = panel_round(crate, 0.72);
-    panel.space->ground->height = r.y();
+    constexpr double post = 0.2;  // [m]
+    panel.space->ground->height = r.y() - post;
     viz::add_body(panel, crate.actor, 0);
     constexpr double impulse_length = 0.115;  // past the crate, too
     constexpr double spin_length = 0.25;
+    add_line<3>(panel, viz::Role::wall, r - Vec(0, post, 0), r);
     add_dot<3>(panel, viz::Role::contact, r);
     add_arrow<3>(panel, viz::Role::impulse, r, r + impulse_length * j * contact.normal,
                  "*j* = " + lesson.numbers["j"].text);

@@ -1,0 +1,56 @@
+#include "lessons/engine/filler.hpp"
+
+#include "lessons/embed/source.hpp"
+#include "lessons/engine/sketch.hpp"
+#include "lodlab/core/base/error.hpp"
+
+namespace lessons {
+
+std::string Filler::fill(const std::string& text, int lines_before) {
+    std::string filled;
+    std::size_t done = 0;
+    for (const Tag& tag : find_tags(text, where(), lines_before)) {
+        const int line = lines_before + line_of(text, tag.begin);
+        filled += text.substr(done, tag.begin - done);
+        done = tag.end;
+        if (tag.kind == "number")
+            filled += number(tag.name, tag.format, line);
+        else
+            filled += text.substr(tag.begin, tag.end - tag.begin);
+        if (tag.kind == "listing")
+            (void)find_given(lesson_.listings, tag.kind, tag.name, where(), line);
+        if (tag.kind == "figure") use_figure(tag.name, line);
+        if (tag.kind == "video" && lesson_.animation.shots.empty())
+            refuse_line(where(), line, "the lesson's code gives no video");
+    }
+    return filled + text.substr(done);
+}
+
+const Number& Filler::use_number(const std::string& name, int line) {
+    const Number& number = find_given(lesson_.numbers, "number", name, where(), line);
+    used_.insert("number " + name);
+    return number;
+}
+
+std::string Filler::number(const std::string& name, const std::string& format, int line) {
+    const Number& number = use_number(name, line);
+    if (format.empty()) return number.text;
+    if (!number.is_counted)
+        refuse_line(where(), line, "'" + name + "' is words, which take no format");
+    return in_format(number, read_format(format));
+}
+
+void Filler::use_figure(const std::string& name, int line) {
+    (void)find_given(lesson_.figures, "figure", name, where(), line);
+    used_.insert("figure " + name);
+}
+
+void Filler::check_all_used() const {
+    for (const auto& [what, place] : lesson_.given)
+        if (!used_.count(what))
+            throw lod::Error(lod::ErrorKind::input_refused, place + ": no text of " + where() +
+                                                                " uses the " + what +
+                                                                "; use it there or take it away");
+}
+
+}  // namespace lessons
