@@ -35,7 +35,7 @@ bool begins_in(const std::string& line, const std::string& file) {
 /// Whether it is of the code that calls the student's function.
 bool asks(const std::string& line) {
     return line.find("asking.cpp:") != std::string::npos ||
-           line.find("wire.hpp:") != std::string::npos;
+           line.find("asking.hpp:") != std::string::npos;
 }
 
 /// The word between the linker's quotes: "lod::single_impulse<2>(...)".
