@@ -78,11 +78,15 @@ class Asking {
     void precompile() {
         const fs::path header = folder_.path() / "asking.hpp";
         const fs::path compiled = folder_.path() / "asking.hpp.gch";
+        const std::string widest = "#include <lodlab/core/contact/contact.hpp>\n";
+        lod::write_text_file(header, wire_text() + widest);
         const ChildEnd end = run_child(
             {compiler_with({"-x", "c++-header", header.string(), "-o", compiled.string()}),
              folder_.path() / "printed", compile_seconds});
-        std::error_code ignored;
-        if (end.code != 0 || end.signal != 0) fs::remove(compiled, ignored);  // it does without
+        if (end.code == 0 && end.signal == 0) return;
+        std::error_code ignored;  // it does without
+        fs::remove(compiled, ignored);
+        lod::write_text_file(header, wire_text());
     }
 
     TemporaryFolder folder_;
