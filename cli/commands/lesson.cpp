@@ -1,5 +1,7 @@
 #include <unistd.h>
 
+#include <cctype>
+#include <cstdlib>
 #include <iostream>
 
 #include "cli/arguments/command.hpp"
@@ -19,6 +21,19 @@ void print_lessons() {
     print(text);
 }
 
+/// Whether the terminal is told to be one of UTF-8, as the system's tools find out.
+bool takes_utf8() {
+    for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+        const char* value = std::getenv(name);
+        if (!value || *value == '\0') continue;
+        std::string locale(value);
+        std::erase(locale, '-');
+        for (char& c : locale) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return locale.find("utf8") != std::string::npos;
+    }
+    return false;
+}
+
 }  // namespace
 
 void run_lesson(const Options& options) {
@@ -29,6 +44,7 @@ void run_lesson(const Options& options) {
     if (!options.out.empty()) stepper.pictures = options.out.back();
     stepper.theme = theme_of(options);
     stepper.styled = on_terminal;
+    stepper.ascii = on_terminal && !takes_utf8();
     stepper.show_inline = on_terminal;
     if (on_terminal) stepper.keyboard = STDIN_FILENO;
     lessons::step_in_terminal(lesson, std::cin, std::cout, stepper);

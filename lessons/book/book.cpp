@@ -104,6 +104,7 @@ class BookWriter {
     static void write_picture(const fs::path& path, viz::Figure figure) {
         figure.title.clear();
         figure.numbers.clear();
+        figure.caption.clear();
         viz::write_web_svg(path, figure, picture_width(figure));
     }
 

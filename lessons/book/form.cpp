@@ -5,7 +5,7 @@
 
 #include "lessons/embed/lines.hpp"
 #include "lessons/embed/markdown.hpp"
-#include "lessons/engine/read_number.hpp"
+#include "lessons/engine/questions/read_number.hpp"
 #include "lodlab/core/base/to_chars.hpp"
 
 namespace lessons {

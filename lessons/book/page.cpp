@@ -147,6 +147,7 @@ class PageWriter {
                          figure_words_html(number.value) + "</b></span> ";
         return element + "<figcaption><strong>" + figure_words_html(figure.title) + "</strong>" +
                (facts.empty() ? "" : " <span class=\"facts\">" + facts + "</span>") +
+               (figure.caption.empty() ? "" : " " + figure_words_html(figure.caption)) +
                "</figcaption>" + picture_html(picture_path_(name), figure) + "</figure>";
     }
 

@@ -162,7 +162,8 @@ class Reader {
             for (const Tag& tag : find_tags(step.text, where_, step.line))
                 if (tag.kind != "number" && tag.kind != "listing")
                     refuse_line(where_, step.line + line_of(step.text, tag.begin),
-                                "a " + tag.kind + " stands on a line of its own");
+                                std::string("a ") + (tag.kind == "ask" ? "question" : tag.kind) +
+                                    " stands on a line of its own");
         for (const auto& [figure, words] : script_.words)
             for (const auto& [key, said] : words) (void)find_tags(said.text, where_, said.line - 1);
         for (const StepScript& step : script_.steps)

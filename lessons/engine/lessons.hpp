@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "lessons/embed/script.hpp"
-#include "lessons/engine/question.hpp"
+#include "lessons/engine/questions/question.hpp"
 #include "lodlab/viz/figure/figure.hpp"
 #include "lodlab/viz/paint/options.hpp"
 
@@ -109,6 +109,7 @@ struct StepperOptions {
         pictures;  ///< folder for step_01.png, ...; made when missing; empty: none
     viz::Theme theme = viz::Theme::light;
     int keyboard = -1;    ///< a terminal to read single keys from; -1: lines from the input stream
+    bool ascii = false;   ///< no other characters, for a terminal without UTF-8
     bool styled = false;  ///< bold and dim, for a terminal
     bool show_inline = false;  ///< show each picture by `chafa`, where it is installed
     int columns = 80;          ///< the text is broken into lines of at most so many characters

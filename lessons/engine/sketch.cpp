@@ -26,7 +26,12 @@ std::string grouped(std::string digits) {
 }
 
 std::string with_unit(std::string number, const std::string& unit) {
-    return unit.empty() ? number : number + "\u00a0" + unit;
+    for (const char c : unit.empty() ? unit : " " + unit)
+        if (c == ' ')
+            number += "\u00a0";
+        else
+            number += c;
+    return number;
 }
 
 Number number(double value, int decimals, const std::string& unit) {
@@ -209,7 +214,7 @@ void name_levels(viz::Figure& figure, const std::vector<lod::Front>& fronts) {
     for (std::size_t level = 0; level < figure.panels.size(); ++level) {
         const std::size_t pairs = fronts[level].pairs.size();
         figure.panels[level].title = "Level " + std::to_string(level) + ": " +
-                                     (pairs == 0 ? "no pairs, apart" : pairs_text(pairs));
+                                     (pairs == 0 ? "none, apart" : pairs_text(pairs));
     }
     figure.numbers = {{"tests", shown_count(fronts.back().tests)},
                       {"verdict", in_words(fronts.back().verdict)}};

@@ -20,7 +20,7 @@ namespace lessons {
 
 /// A number as a reader sees it: so many decimals, a true minus sign, no "-0".
 [[nodiscard]] std::string shown(double value, int decimals);
-/// The number, a space that does not break, and its unit if it has one.
+/// The number and its unit if it has one, their spaces such that no line breaks there.
 [[nodiscard]] std::string with_unit(std::string number, const std::string& unit);
 /// Digits with thin spaces between thousands.
 [[nodiscard]] std::string grouped(std::string digits);

@@ -7,9 +7,10 @@
 #include <ostream>
 #include <system_error>
 
-#include "lessons/engine/answer_mode.hpp"
+#include "lessons/engine/ascii.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lessons/engine/plain.hpp"
+#include "lessons/engine/questions/answer_mode.hpp"
 #include "lessons/engine/viewer.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
@@ -317,10 +318,8 @@ class Stepper {
     int at_ = 1;
 };
 
-}  // namespace
-
-void step_in_terminal(const Lesson& lesson, std::istream& input, std::ostream& output,
-                      const StepperOptions& options) {
+void step(const Lesson& lesson, std::istream& input, std::ostream& output,
+          const StepperOptions& options) {
     if (options.first_step < 1 || options.first_step > static_cast<int>(lesson.steps.size()))
         throw lod::Error(lod::ErrorKind::usage,
                          "lesson " + std::to_string(lesson.entry.number) + " has no step " +
@@ -340,6 +339,17 @@ void step_in_terminal(const Lesson& lesson, std::istream& input, std::ostream& o
         if (!stepper.obey(*command)) break;
     }
     stepper.say_goodbye();
+}
+
+}  // namespace
+
+void step_in_terminal(const Lesson& lesson, std::istream& input, std::ostream& output,
+                      const StepperOptions& options) {
+    if (!options.ascii) return step(lesson, input, output, options);
+    AsciiBuffer buffer(output.rdbuf());
+    std::ostream ascii(&buffer);
+    step(lesson, input, ascii, options);
+    if (!ascii) output.setstate(std::ios::failbit);
 }
 
 }  // namespace lessons

@@ -10,6 +10,7 @@
 
 #include "lessons/engine/lessons.hpp"
 #include "tests/catch.hpp"
+#include "tests/sanitized.hpp"
 
 using namespace lessons;
 
@@ -171,6 +172,21 @@ TEST_CASE("on a terminal an answer is a line, with its keys for mending it", "[l
     CHECK(steps_shown(output) == "121");
     close(screen);
     close(keyboard);
+}
+
+TEST_CASE("a terminal without UTF-8 gets ASCII alone, and the same grades", "[lessons]") {
+    StepperOptions options;
+    options.ascii = true;
+    for (const Entry& entry : list()) {
+        if (lodtest::sanitized && entry.number > 2) break;
+        std::istringstream in("-1\n\xff\xfe\n:p\n\nt\n");
+        std::ostringstream out;
+        step_in_terminal(run(entry.number), in, out, options);
+        const std::string shown = out.str();
+        CHECK(std::all_of(shown.begin(), shown.end(),
+                          [](char c) { return static_cast<unsigned char>(c) < 0x80; }));
+    }
+    CHECK(prints(dialogue("8\n16\n", options), "Right. Four times four."));
 }
 
 TEST_CASE("a long question is broken at the terminal's width", "[lessons]") {

@@ -16,7 +16,7 @@ import urllib.error
 import urllib.request
 
 SKIPPED = 77
-LEFT, RIGHT, END, HOME, TAB = "\ue012", "\ue014", "\ue010", "\ue011", "\ue004"
+LEFT, RIGHT, END, HOME, ENTER = "\ue012", "\ue014", "\ue010", "\ue011", "\ue007"
 
 ARGUMENTS = [
     "--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
@@ -37,12 +37,45 @@ return {
   slider: document.querySelector('.scrubber input').value,
   spoken: document.querySelector('.scrubber input').getAttribute('aria-valuetext'),
   count: document.querySelector('.scrubber output').textContent,
-  back: document.querySelector('.back').disabled,
-  next: document.querySelector('.next').disabled,
+  back: document.querySelector('.back').getAttribute('aria-disabled') === 'true',
+  next: document.querySelector('.next').getAttribute('aria-disabled') === 'true',
   hash: location.hash,
   drawn: image.complete && image.naturalWidth > 0,
   wide: document.documentElement.scrollWidth - document.documentElement.clientWidth,
 };
+"""
+
+
+# Passes every question, so that none keeps the reader.
+PASS_ALL = "document.querySelectorAll('form.question .pass').forEach(button => button.click()); scrollTo(0, 0);"
+
+# What a reader sees of the questions of the step that is shown.
+QUESTIONS = """
+const step = document.querySelector('article.step:not(.away)');
+return {
+  step: Number(step.id.slice(5)),
+  states: [...step.querySelectorAll('form.question')].map(form => form.dataset.state ?? ''),
+  replies: [...step.querySelectorAll('.reply')].map(reply => reply.textContent),
+  tally: document.querySelector('.tally').textContent.replace('Begin again', '').trim(),
+  focus: document.activeElement.tagName,
+};
+"""
+
+# Answers the first open question of the step that is shown, by its key: rightly, or by a mistake that is foreseen.
+ANSWER = """
+const form = [...document.querySelectorAll('article.step:not(.away) form.question')]
+    .find(one => !one.querySelector('.acts').hidden);
+const key = JSON.parse(form.querySelector('.key').textContent);
+const rightly = RIGHTLY;
+if (key.choices) {
+  const i = key.choices.findIndex(choice => rightly ? choice.right : !choice.right && choice.reply !== '');
+  form.querySelectorAll('input')[i].checked = true;
+} else {
+  const mistake = key.mistakes.find(one => one.kind === 'value');
+  form.querySelector('input').value = String(rightly ? key.value : mistake.value);
+}
+form.requestSubmit();
+return true;
 """
 
 
@@ -133,6 +166,8 @@ def check_steps(browser, page, report):
     name = page.parent.name
     steps = len(re.findall(r'<article class="step"', page.read_text()))
     browser.open(page)
+    browser.run(PASS_ALL)
+    browser.run("document.querySelector('section.steps').scrollIntoView()")
     titles = {}
 
     def look(what, number):
@@ -154,6 +189,12 @@ def check_steps(browser, page, report):
         report.expect(f"{name}: hash", look("right", number)["hash"], f"#step-{number}")
     browser.press(RIGHT)
     look("right at the end", steps)
+    browser.run("document.querySelector('.next').focus(); document.querySelector('.next').click()")
+    report.expect(f"{name}: the focus stays at the end", browser.run("return document.activeElement.className"), "next")
+    browser.run("document.activeElement.blur(); scrollTo(0, document.body.scrollHeight)")
+    browser.press(LEFT)
+    look("left where the steps are out of sight", steps)
+    browser.run("document.querySelector('section.steps').scrollIntoView()")
     for number in range(steps - 1, 0, -1):
         browser.press(LEFT)
         look("left", number)
@@ -171,6 +212,64 @@ def check_steps(browser, page, report):
     report.expect(f"{name}: all titles differ", len(set(titles.values())), steps)
 
 
+def check_questions(browser, page, report):
+    """Every question: a foreseen mistake, then the right answer; all of it kept for the next visit."""
+    name = page.parent.name
+    asked = page.read_text().count('<form class="question"')
+    browser.open(page)
+    browser.run("localStorage.clear()")
+    browser.open(page)
+    report.expect(f"{name}: no word before the first answer", browser.run(QUESTIONS)["tally"], "")
+    steps = len(re.findall(r'<article class="step"', page.read_text()))
+    for number in range(1, steps):
+        while "" in (seen := browser.run(QUESTIONS))["states"] or "unclear" in seen["states"]:
+            browser.run("document.querySelector('.scrubber .next').click()")
+            seen = browser.run(QUESTIONS)
+            report.expect(f"{name}, step {number}: the question blocks", seen["step"], number)
+            report.expect(f"{name}, step {number}: the question has the focus", seen["focus"], "INPUT")
+            for rightly, state in ((False, "wrong"), (True, "right")):
+                browser.run(ANSWER.replace("RIGHTLY", json.dumps(rightly)))
+                report.expect(f"{name}, step {number}: an answer is {state}", state in browser.run(QUESTIONS)["states"],
+                              True)
+        report.expect(f"{name}, step {number}: replies", all(browser.run(QUESTIONS)["replies"]), True)
+        report.expect(f"{name}, step {number}: a focus after it", browser.run(QUESTIONS)["focus"] != "", True)
+        browser.run("document.querySelector('.scrubber .next').click()")
+        report.expect(f"{name}: on to", browser.run(QUESTIONS)["step"], number + 1)
+    wanted = f"Of {asked} questions: {asked} after a mistake."
+    report.expect(f"{name}: the word at the end", browser.run(QUESTIONS)["tally"], wanted)
+    browser.open(page)
+    report.expect(f"{name}: kept", browser.run(QUESTIONS)["tally"], wanted)
+    browser.open(page.parent.parent / "index.html")
+    report.expect(f"{name}: kept on the index", browser.run(
+        f"return document.querySelector('[data-lesson={name}]').textContent"), wanted)
+    browser.open(page)
+    browser.run("document.querySelector('.tally button').click()")
+    report.expect(f"{name}: begun again", browser.run(QUESTIONS), {
+        "step": 1, "states": [""] * len(browser.run(QUESTIONS)["states"]),
+        "replies": [""] * len(browser.run(QUESTIONS)["states"]), "tally": "", "focus": "BUTTON"})
+
+
+def check_typing(browser, page, report):
+    """Letters and arrows in a question's field are an answer; End goes no further than an open question."""
+    browser.open(page)
+    browser.run("localStorage.clear()")
+    browser.open(page)
+    browser.run("document.querySelector('.scrubber .next').click()")
+    for key in ("q", LEFT, "n"):
+        browser.press(key)
+    report.expect("typed", browser.run("return document.activeElement.value"), "nq")
+    browser.press(ENTER)
+    report.expect("unclear", browser.run(QUESTIONS)["states"], ["unclear"])
+    browser.run("document.querySelector('.scrubber input').focus()")
+    browser.press(END)
+    report.expect("end is blocked", browser.run(QUESTIONS)["step"], 1)
+    browser.run("document.querySelector('form.question .pass').click()")
+    report.expect("passed", browser.run(QUESTIONS)["states"], ["passed"])
+    browser.run("document.querySelector('.scrubber input').focus()")
+    browser.press(END)
+    report.expect("end goes to the next question", browser.run(QUESTIONS)["step"], 2)
+
+
 def check_looks(browser, page, report):
     name = page.parent.name
     browser.resize(390, 844)
@@ -180,7 +279,7 @@ def check_looks(browser, page, report):
         "return [...document.querySelectorAll('math')].filter(m => m.getBoundingClientRect().width < 4).length"), 0)
     report.expect(f"{name}: every control has a name", browser.run(
         "return [...document.querySelectorAll('button, input, video')]"
-        ".filter(e => !e.getAttribute('aria-label')).length"), 0)
+        ".filter(e => !e.getAttribute('aria-label') && !e.labels?.length && !e.textContent.trim()).length"), 0)
     report.expect(f"{name}: no picture without an alt text", browser.run(
         "return [...document.querySelectorAll('img')].filter(i => !i.alt).length"), 0)
     report.expect(f"{name}: pictures are drawn", browser.run(
@@ -205,7 +304,9 @@ def main(book):
         try:
             for page in pages:
                 check_steps(browser, page, report)
+                check_questions(browser, page, report)
                 check_looks(browser, page, report)
+            check_typing(browser, book / "distance_test/index.html", report)
             browser.open(book / "index.html")
             report.expect("index: links", browser.run(
                 "return document.querySelectorAll('.lessons a').length"), len(pages))

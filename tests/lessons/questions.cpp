@@ -183,7 +183,7 @@ TEST_CASE("the right choice follows from the lesson's numbers", "[lessons]") {
 
 TEST_CASE("a question that cannot be graded is refused with its line and the mend", "[lessons]") {
     check_refused(replaced(number_lines, "told in: Two\n"),
-                  "small.md:7: question 'how deep' has a");
+                  "small.md:7: question 'how deep' has no answer");
     check_refused(replaced("answer: {{number: depth}}", "answer: {{number: width}}"),
                   "small.md:10: no number 'width'; the lesson's code gives: depth");
     check_refused(replaced("answer: {{number: depth}}", "answer: 0.5"),
@@ -213,7 +213,7 @@ TEST_CASE("a question that cannot be graded is refused with its line and the men
 TEST_CASE("a question stands in a step, once, with words and numbers only", "[lessons]") {
     check_refused(replaced("# Small\n\n", "# Small\n\n{{ask: early}}\nWhat?\n\n"),
                   "small.md:3: a question stands in a step");
-    check_refused(replaced("First.", "First {{ask: here}}"), "small.md:5: a ask stands on a line");
+    check_refused(replaced("First.", "First {{ask: here}}"), "small.md:5: a question stands on a");
     check_refused(replaced("It is {{number: depth}}.\n",
                            "It is {{number: depth}}.\n\n{{ask: how deep}}\nAgain?\n"),
                   "small.md:24: question 'how deep' is asked already, in line 7");

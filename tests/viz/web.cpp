@@ -129,3 +129,26 @@ TEST_CASE("a WebP link holds the file that its format names", "[web]") {
     const std::string link = webp_link(white);
     CHECK_THAT(link, lodtest::contains("data:image/webp;base64,UklGR"));  // "RIFF"
 }
+
+TEST_CASE("on a narrower page the words keep their size and the shapes do not", "[web]") {
+    const Scratch folder;
+    const auto svg_of = [&](double width) {
+        write_web_svg(folder / "figure.svg", flat_figure(), width);
+        return bytes_of(folder / "figure.svg");
+    };
+    const auto glyphs_of = [](const std::string& svg) {  // outlines of letters, in page units
+        std::set<std::string> glyphs;
+        const std::regex glyph("id=\"glyph[^\"]*\"><path [^>]*d=\"([^\"]*)\"");
+        for (std::sregex_iterator it(svg.begin(), svg.end(), glyph), end; it != end; ++it)
+            glyphs.insert((*it)[1]);
+        return glyphs;
+    };
+    const std::string wide = svg_of(1280);
+    const std::string narrow = svg_of(520);
+    CHECK(wide.find("viewBox=\"0 0 1280 720\"") != std::string::npos);
+    CHECK(narrow.find("viewBox=\"0 0 520 293\"") != std::string::npos);
+    CHECK(wide == web_svg(flat_figure()));
+    std::size_t shared = 0;
+    for (const std::string& glyph : glyphs_of(narrow)) shared += glyphs_of(wide).count(glyph);
+    CHECK(shared > 4);
+}

@@ -14,6 +14,10 @@ for (const section of document.querySelectorAll("section.steps")) {
   const lesson = tally.dataset.lesson;
   let shown = 0;
 
+  // A reply may take the room that the words had.
+  const replied = () => {
+    if (!step().classList.contains("split")) split(true);
+  };
   const settled = () => {
     refresh();
     const left = firstOpen(shown);
@@ -21,7 +25,7 @@ for (const section of document.querySelectorAll("section.steps")) {
     else next.focus({ preventScroll: true });
   };
   const questions = steps.map((step) =>
-    [...step.querySelectorAll("form.question")].map((form) => openQuestion(form, lesson, settled)));
+    [...step.querySelectorAll("form.question")].map((form) => openQuestion(form, lesson, { replied, settled })));
   const firstOpen = (number) => questions[number - 1].find((question) => question.isOpen());
   const isBlocked = (number) => firstOpen(number) !== undefined;
   const step = () => steps[shown - 1];

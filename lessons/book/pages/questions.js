@@ -40,8 +40,9 @@ const Answers = (() => {
   return { of, put, forget, summary };
 })();
 
-// Makes a form answer; `settled` is called whenever a question is answered rightly or passed.
-const openQuestion = (form, lesson, settled) => {
+// Makes a form answer; `replied` is called after every word to the reader, `settled` whenever a question is answered
+// rightly or passed.
+const openQuestion = (form, lesson, { replied, settled }) => {
   const key = JSON.parse(form.querySelector(".key").textContent);
   const reply = form.querySelector(".reply");
   const fields = [...form.querySelectorAll("input")];
@@ -59,14 +60,19 @@ const openQuestion = (form, lesson, settled) => {
     acts.hidden = true;
     if (state.right) say("right", "Right.", Grade.grade(key, state.answer).reply);
     else say("passed", "Passed: a later step tells the answer.");
-    if (!quiet) settled(form);
+    if (quiet) return;
+    replied();
+    settled();
   };
   const put = () => Answers.put(lesson, form.dataset.name, state);
 
   form.addEventListener("submit", (event) => {
     event.preventDefault();
     const graded = Grade.grade(key, answer());
-    if (graded.grade === "unclear") return say("unclear", graded.reply);
+    if (graded.grade === "unclear") {
+      say("unclear", graded.reply);
+      return replied();
+    }
     state.answer = answer();
     if (graded.grade === "right") {
       state.right = true;
@@ -77,6 +83,7 @@ const openQuestion = (form, lesson, settled) => {
     put();
     if (graded.reply) say("wrong", "", `${graded.reply} <em>Try again, or pass.</em>`);
     else say("wrong", "Not that. Try again, or pass.");
+    replied();
   });
   form.querySelector(".pass").addEventListener("click", () => {
     state.passed = true;
@@ -97,6 +104,7 @@ const openQuestion = (form, lesson, settled) => {
     isOpen: () => !state.right && !state.passed,
     ask: () => {
       if (!form.dataset.state) say("unclear", "Answer, or pass, to go on.");
+      replied();
       fields[0].focus({ preventScroll: true });
     },
     again: () => {

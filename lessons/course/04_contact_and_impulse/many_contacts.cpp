@@ -83,7 +83,7 @@ void give_landing(Lesson& lesson) {
         const Landing landing = land(response, contacts);
         viz::Panel panel;
         panel.view = box(-1.8, -0.4, 1.8, 3.1);
-        panel.title = std::string(name) + ": energy × " + share_text(landing.share());
+        panel.title = std::string(name) + ": × " + share_text(landing.share());
         add_landing(panel, landing);
         figure.panels.push_back(std::move(panel));
     }

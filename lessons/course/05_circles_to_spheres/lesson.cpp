@@ -73,7 +73,7 @@ void give_ball(Lesson& lesson) {
     give(lesson, "reach", number(flat_a.radius + flat_b.radius, 3, "m"));
     viz::Figure figure;
     figure.panels = {draw_pair(flat_a, flat_b, "in the plane: they meet"),
-                     draw_pair(lifted(flat_a), b, "in space: behind, and apart")};
+                     draw_pair(lifted(flat_a), b, "in space: apart")};
     figure.columns = 2;
     give(lesson, "sphere", std::move(figure));
 }

@@ -3,7 +3,8 @@
 
 #include "lessons/embed/source.hpp"
 #include "lessons/engine/filler.hpp"
-#include "lessons/engine/read_number.hpp"
+#include "lessons/engine/questions/read_number.hpp"
+#include "lessons/engine/sketch.hpp"
 
 namespace lessons {
 namespace {
@@ -215,7 +216,7 @@ class Maker {
     /// What a rounded answer allows, or what the lesson does.
     [[nodiscard]] double tolerance() const {
         const std::string shown = question_.answer.substr(
-            0, question_.answer.size() - (question_.unit.empty() ? 0 : question_.unit.size() + 2));
+            0, question_.answer.size() - with_unit("", question_.unit).size());
         const std::size_t point = shown.find('.');
         const double rounding =
             point == std::string::npos && question_.value == std::round(question_.value)

@@ -1,4 +1,4 @@
-#include "lessons/engine/answer_mode.hpp"
+#include "lessons/engine/questions/answer_mode.hpp"
 
 #include <algorithm>
 #include <ostream>

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "lessons/embed/lines.hpp"
-#include "lessons/engine/question.hpp"
-#include "lessons/engine/read_number.hpp"
+#include "lessons/engine/questions/question.hpp"
+#include "lessons/engine/questions/read_number.hpp"
 
 namespace lessons {
 namespace {

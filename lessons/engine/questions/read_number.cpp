@@ -1,4 +1,4 @@
-#include "lessons/engine/read_number.hpp"
+#include "lessons/engine/questions/read_number.hpp"
 
 #include <algorithm>
 #include <array>
@@ -134,6 +134,60 @@ std::vector<double> take_number(std::string& text) {
     return values;
 }
 
+constexpr double degree = 3.14159265358979323846 / 180;
+struct Row {
+    std::string_view unit;
+    UnitSize size;
+};
+constexpr std::array<Row, 46> rows{{
+    {"", {"share", 1}},
+    {"%", {"share", 0.01}},
+    {"percent", {"share", 0.01}},
+    {"mm", {"length", 1e-3}},
+    {"cm", {"length", 1e-2}},
+    {"dm", {"length", 1e-1}},
+    {"m", {"length", 1}},
+    {"metre", {"length", 1}},
+    {"metres", {"length", 1}},
+    {"meter", {"length", 1}},
+    {"meters", {"length", 1}},
+    {"km", {"length", 1e3}},
+    {"mm2", {"area", 1e-6}},
+    {"cm2", {"area", 1e-4}},
+    {"m2", {"area", 1}},
+    {"ms", {"time", 1e-3}},
+    {"s", {"time", 1}},
+    {"second", {"time", 1}},
+    {"seconds", {"time", 1}},
+    {"g", {"mass", 1e-3}},
+    {"kg", {"mass", 1}},
+    {"mm/s", {"speed", 1e-3}},
+    {"cm/s", {"speed", 1e-2}},
+    {"m/s", {"speed", 1}},
+    {"km/h", {"speed", 1 / 3.6}},
+    {"mj", {"energy", 1e-3}},
+    {"j", {"energy", 1}},
+    {"joule", {"energy", 1}},
+    {"nm", {"energy", 1}},
+    {"kj", {"energy", 1e3}},
+    {"ns", {"impulse", 1}},
+    {"kgm/s", {"impulse", 1}},
+    {"kgcm/s", {"impulse", 1e-2}},
+    {"1/kg", {"compliance", 1}},
+    {"kg-1", {"compliance", 1}},
+    {"1/g", {"compliance", 1e3}},
+    {"rad", {"angle", 1}},
+    {"°", {"angle", degree}},
+    {"deg", {"angle", degree}},
+    {"degree", {"angle", degree}},
+    {"degrees", {"angle", degree}},
+    {"rad/s", {"spin", 1}},
+    {"1/s", {"spin", 1}},
+    {"°/s", {"spin", degree}},
+    {"kgm2", {"inertia", 1}},
+    {"kgm2/s", {"angular momentum", 1}},
+}};
+
 }  // namespace
 
 TypedNumber read_number(std::string_view typed) {
@@ -169,59 +223,6 @@ std::string plain_unit(std::string_view unit) {
 }
 
 UnitSize size_of(std::string_view plain_unit) {
-    constexpr double degree = 3.14159265358979323846 / 180;
-    struct Row {
-        std::string_view unit;
-        UnitSize size;
-    };
-    static constexpr std::array<Row, 46> rows{{
-        {"", {"share", 1}},
-        {"%", {"share", 0.01}},
-        {"percent", {"share", 0.01}},
-        {"mm", {"length", 1e-3}},
-        {"cm", {"length", 1e-2}},
-        {"dm", {"length", 1e-1}},
-        {"m", {"length", 1}},
-        {"metre", {"length", 1}},
-        {"metres", {"length", 1}},
-        {"meter", {"length", 1}},
-        {"meters", {"length", 1}},
-        {"km", {"length", 1e3}},
-        {"mm2", {"area", 1e-6}},
-        {"cm2", {"area", 1e-4}},
-        {"m2", {"area", 1}},
-        {"ms", {"time", 1e-3}},
-        {"s", {"time", 1}},
-        {"second", {"time", 1}},
-        {"seconds", {"time", 1}},
-        {"g", {"mass", 1e-3}},
-        {"kg", {"mass", 1}},
-        {"mm/s", {"speed", 1e-3}},
-        {"cm/s", {"speed", 1e-2}},
-        {"m/s", {"speed", 1}},
-        {"km/h", {"speed", 1 / 3.6}},
-        {"mj", {"energy", 1e-3}},
-        {"j", {"energy", 1}},
-        {"joule", {"energy", 1}},
-        {"nm", {"energy", 1}},
-        {"kj", {"energy", 1e3}},
-        {"ns", {"impulse", 1}},
-        {"kgm/s", {"impulse", 1}},
-        {"kgcm/s", {"impulse", 1e-2}},
-        {"1/kg", {"compliance", 1}},
-        {"kg-1", {"compliance", 1}},
-        {"1/g", {"compliance", 1e3}},
-        {"rad", {"angle", 1}},
-        {"°", {"angle", degree}},
-        {"deg", {"angle", degree}},
-        {"degree", {"angle", degree}},
-        {"degrees", {"angle", degree}},
-        {"rad/s", {"spin", 1}},
-        {"1/s", {"spin", 1}},
-        {"°/s", {"spin", degree}},
-        {"kgm2", {"inertia", 1}},
-        {"kgm2/s", {"angular momentum", 1}},
-    }};
     for (const Row& row : rows)
         if (row.unit == plain_unit) return row.size;
     return {{}, 1};
