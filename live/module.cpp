@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/live/outline.hpp"
 #include "lodlab/live/picture.hpp"
 #include "lodlab/viz/figure/json.hpp"
 
@@ -66,17 +67,26 @@ void choose(live::Stage& stage, const std::string& what, const char* name) {
     if (what == "contact_model")
         return stage.set_contact_model(lod::chosen<lod::ContactModel>(name, "contact model"));
     if (what == "response") return stage.set_response(lod::chosen<lod::Response>(name, "response"));
+    if (what == "shown") return stage.show(lod::chosen<live::Shown>(name, "kind of nodes shown"));
     refuse_name(what.c_str());
+}
+
+/// A stage, or null where its scene is refused.
+template <class Make>
+lodlab_live* opened(const Make& make) {
+    lodlab_live* live = nullptr;
+    static_cast<void>(tried([&] { live = new lodlab_live{live::Stage(make()), {}}; }));
+    return live;
 }
 
 }  // namespace
 
 lodlab_live* lodlab_live_open(const char* scene) {
-    lodlab_live* opened = nullptr;
-    static_cast<void>(tried([&] {
-        opened = new lodlab_live{live::Stage(live::scene_from(scene)), {}};
-    }));
-    return opened;
+    return opened([&] { return live::scene_from(scene); });
+}
+
+lodlab_live* lodlab_live_draw(const char* outlines) {
+    return opened([&] { return live::scene_of_outlines(outlines); });
 }
 
 void lodlab_live_close(lodlab_live* live) {

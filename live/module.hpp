@@ -13,6 +13,8 @@ typedef struct lodlab_live lodlab_live;
 /* From the text of a scene (live/scene.hpp). Null where it is refused: lodlab_live_error says why.
  */
 lodlab_live* lodlab_live_open(const char* scene);
+/* The same from outlines that a reader drew (live/outline.hpp). */
+lodlab_live* lodlab_live_draw(const char* outlines);
 void lodlab_live_close(lodlab_live* live);
 /* Why the last call failed; empty where none did. */
 const char* lodlab_live_error(void);
@@ -29,7 +31,8 @@ int lodlab_live_move(lodlab_live* live, int body, double x, double y, double spi
 int lodlab_live_fixate(lodlab_live* live, double x, double y);
 /* "level", "budget" (below 0: none), "pair_cost", "restitution". */
 int lodlab_live_set(lodlab_live* live, const char* what, double value);
-/* "policy", "contact_model", "response", by their words in scene files. */
+/* "policy", "contact_model", "response", by their words in scene files; "shown": "near", "circles",
+ * "hulls". */
 int lodlab_live_choose(lodlab_live* live, const char* what, const char* name);
 
 #ifdef __cplusplus

@@ -52,6 +52,25 @@ void add_pair(viz::Panel& panel, const Stage& stage, const NearPair& near, bool 
     add_lines(panel, a.body, b.body, meeting);
 }
 
+/// All nodes of a body's deepest level, or their hulls.
+void add_level(viz::Panel& panel, const Stage& stage, std::size_t body) {
+    const viz::Actor<2> actor = stage.actor(body);
+    const lod::SphereTree<2>& tree = *actor.body.tree;
+    if (tree.is_half_space()) return;
+    const int number = static_cast<int>(body);
+    const std::vector<int> nodes =
+        tree.level_nodes(std::min(stage.scene().settings.deepest_level, tree.levels() - 1));
+    if (stage.shown() == Shown::circles || !tree.has_hulls())
+        return viz::add_nodes<2>(panel, actor.body, nodes, viz::Role::level_node, number);
+    const viz::Style style{.role = viz::Role::level_node, .body = number};
+    for (const int node : nodes) {
+        viz::Ring ring;
+        for (const lod::Vector<2>& corner : tree.hulls.of(tree.hulls.best(node)).corners)
+            ring.push_back(viz::carried(actor.body, viz::point_of(corner)));
+        if (ring.size() > 2) panel.marks.push_back(viz::Path{style, {std::move(ring)}});
+    }
+}
+
 void add_hits(viz::Panel& panel, const Stage& stage) {
     double most = 0;
     for (const Hit& hit : stage.hits()) most = std::max(most, hit.impulse);
@@ -107,9 +126,11 @@ viz::Panel panel_of(const Stage& stage) {
     const std::size_t moving = moving_bodies(stage);
     for (std::size_t i = 0; i < stage.bodies().size(); ++i)
         viz::add_body<2>(panel, stage.actor(i), static_cast<int>(i));
+    for (std::size_t i = 0; i < stage.bodies().size() && stage.shown() != Shown::near; ++i)
+        add_level(panel, stage, i);
     for (const NearPair& near : stage.pairs())
         if (moving <= few_bodies || near.record.verdict != lod::Verdict::apart)
-            add_pair(panel, stage, near, moving <= few_bodies);
+            add_pair(panel, stage, near, moving <= few_bodies && stage.shown() == Shown::near);
     const auto contacts = viz::contacts_of<2>(stage.record());
     viz::add_normals<2>(panel, contacts, normal_length * viz::longer_side(panel.view));
     add_hits(panel, stage);

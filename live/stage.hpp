@@ -18,6 +18,18 @@ struct Hit {
     double impulse = 0;  ///< [N s]
 };
 
+/// Which nodes a picture shows.
+enum class Shown {
+    near,     ///< those that the last level of each near pair tested
+    circles,  ///< all of the deepest level, of every body
+    hulls,    ///< the hulls of these
+};
+/// Their words in pages.
+[[nodiscard]] constexpr std::array<std::string_view, 3> names_of(Shown) {
+    return {"near", "circles", "hulls"};
+}
+static_assert(names_of(Shown{}).size() == static_cast<std::size_t>(Shown::hulls) + 1);
+
 /// A pair of bodies that are near, as the present frame finds them.
 struct NearPair {
     lod::PairRecord record;
@@ -45,6 +57,8 @@ class Stage {
     [[nodiscard]] const std::vector<NearPair>& pairs() const { return pairs_; }
     /// The impulses of the last third of a second, the newest last.
     [[nodiscard]] const std::vector<Hit>& hits() const { return hits_; }
+    /// Which nodes pictures show.
+    [[nodiscard]] Shown shown() const { return shown_; }
     /// Frames since the start.
     [[nodiscard]] std::int64_t frame() const { return frame_; }
     /// [s] since the start.
@@ -72,6 +86,8 @@ class Stage {
     void set_response(lod::Response response);
     void set_fixation(const lod::Vector<2>& point);  ///< of Priority::perceptual
 
+    void show(Shown shown) { shown_ = shown; }
+
   private:
     [[nodiscard]] lod::Budget budget() const;
     void look();
@@ -80,6 +96,7 @@ class Stage {
     Scene scene_;
     std::vector<lod::Body<2>> bodies_;
     std::int64_t frame_ = 0;
+    Shown shown_ = Shown::near;
     lod::FrameStorage<2> running_;
     lod::FrameStorage<2> looking_;  ///< apart, so that looking changes nothing that frames remember
     std::vector<NearPair> pairs_;

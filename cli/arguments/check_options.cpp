@@ -23,6 +23,7 @@ struct Alone {
 constexpr Alone alone[] = {
     {"tree", "--list", "", "only prints what there is"},
     {"degrade", "--merge", "--out --json --theme --quality", "takes the rest from the shares"},
+    {"page", "--playground", "--out", "takes no scene and begins with nothing set"},
     {"simulate", "--replay",
      "SCENE --threads --strip --plot --quota --out --trace --records --key-frames --seek "
      "--no-cache "

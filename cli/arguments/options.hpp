@@ -67,6 +67,7 @@ struct Options {
     std::string continued;  ///< the trace at whose end the run goes on
     double raise_limits = 1;
     bool no_video = false;
+    bool playground = false;  ///< the page is of no scene
 
     std::string shapes;     ///< of degrade, parted by commas
     std::string models;     ///< contact models, parted by commas

@@ -37,8 +37,8 @@ constexpr Command table[] = {
      "lodlab book --out book", "--folder --no-video --quality", run_book},
     {"page", "Write a scene of the plane as a page that one plays with, in one file",
      "lodlab page figure9 --out figure9.html",
-     "SCENE --level --budget --duration --response --contact-model --point-model --policy --fixation --finest --sweep --page-file "
-     "--no-cache --raise-limits", run_page},
+     "[SCENE] --playground --level --budget --duration --response --contact-model --point-model --policy --fixation --finest --sweep "
+     "--page-file --no-cache --raise-limits", run_page},
     {"doctor", "What is installed, what is missing, and how to get it",
      "lodlab doctor", "--json", run_doctor},
     {"completion", "Print what completes lodlab's commands and options in bash",

@@ -12,6 +12,12 @@ namespace cli {
 
 void run_page(const Options& options) {
     check_outputs(options, {.exports = {".html"}, .still = false});
+    if (options.playground)
+        return lod::write_text_file(options.out.back(), live::playground_text());
+    if (options.scene.empty())
+        throw lod::Error(
+            lod::ErrorKind::usage,
+            "no scene given; name one, as in lodlab page figure9, or give --playground");
     const scenes::Scene scene = scene_of(options);
     if (scene.dim != 2)
         throw lod::Error(

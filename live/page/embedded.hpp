@@ -9,6 +9,7 @@ namespace live::embedded {
 [[nodiscard]] std::string_view page_css();
 [[nodiscard]] std::string_view figure_js();
 [[nodiscard]] std::string_view live_js();
+[[nodiscard]] std::string_view playground_js();
 /// Empty where there was none.
 [[nodiscard]] std::string_view module_js();
 

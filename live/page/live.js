@@ -13,16 +13,19 @@ const lodlabLive = (() => {
   // The functions of the module, under the names of live/module.hpp.
   const callsOf = (module) => {
     const wrap = (name, gives, takes) => module.cwrap(`lodlab_live_${name}`, gives, takes);
+    // A scene is too long for the module's stack, on which cwrap would put it.
+    const long = (call, text) => {
+      const bytes = module.lengthBytesUTF8(text) + 1;
+      const place = module._malloc(bytes);
+      module.stringToUTF8(text, place, bytes);
+      const live = call(place);
+      module._free(place);
+      return live;
+    };
     return {
-      // A scene is too long for the module's stack, on which cwrap would put it.
-      open: (scene) => {
-        const bytes = module.lengthBytesUTF8(scene) + 1;
-        const place = module._malloc(bytes);
-        module.stringToUTF8(scene, place, bytes);
-        const live = module._lodlab_live_open(place);
-        module._free(place);
-        return live;
-      },
+      open: (scene) => long(module._lodlab_live_open, scene),
+      draw: (outlines) => long(module._lodlab_live_draw, outlines),
+      close: wrap("close", null, ["number"]),
       error: wrap("error", "string", []),
       figure: wrap("figure", "string", ["number"]),
       state: wrap("state", "string", ["number"]),
@@ -82,8 +85,10 @@ const lodlabLive = (() => {
       restitution.value = Math.min(...this.scene.bodies.map((body) => body.restitution));
       on(".restitution", "input", () => this.change("restitution", Number(restitution.value)));
       on(".reserve", "input", (event) => this.change("pair_cost", Number(event.target.value)));
-      for (const what of ["policy", "contact_model", "response"]) {
-        this.find(`.${what}`).value = this.state[what];
+      on(".save-svg", "click", () => this.save(`${this.scene.name}.svg`, new Blob([this.svgText()], { type: "image/svg+xml" })));
+      on(".save-png", "click", () => this.savePng());
+      for (const what of ["policy", "contact_model", "response", "shown"]) {
+        this.find(`.${what}`).value = this.state[what] ?? "near";
         on(`.${what}`, "change", (event) => this.choose(what, event.target.value));
       }
     }
@@ -138,6 +143,71 @@ const lodlabLive = (() => {
 
     step(frames) {
       if (frames > 0 && this.told(this.calls.step(this.live, frames))) this.show();
+    }
+
+    // Another scene of as many bodies, of outlines, under what is set; gives why it was refused, or "".
+    reopen(outlines) {
+      const opened = this.calls.draw(outlines);
+      if (!opened) return this.calls.error();
+      this.pause();
+      this.calls.close(this.live);
+      this.live = opened;
+      this.state = JSON.parse(this.calls.state(this.live));
+      const level = this.find(".level");
+      const wasLast = level.value === level.max;
+      level.max = this.state.levels - 1;
+      if (wasLast) level.value = level.max;
+      this.calls.set(this.live, "level", Number(level.value));
+      this.calls.set(this.live, "budget", this.budgets[this.find(".budget").value] ?? -1);
+      this.calls.set(this.live, "pair_cost", Number(this.find(".reserve").value));
+      this.calls.set(this.live, "restitution", Number(this.find(".restitution").value));
+      for (const what of ["policy", "contact_model", "response", "shown"])
+        this.calls.choose(this.live, what, this.find(`.${what}`).value);
+      this.calls.fixate(this.live, ...this.fixation);
+      const list = this.find(".levels");
+      while (list.children.length > this.state.levels) list.lastChild.remove();
+      this.show();
+      return "";
+    }
+
+    // --- what is saved
+
+    // The picture with its styles beside its elements, as other programs read it.
+    svgText() {
+      const copy = this.svg.cloneNode(true);
+      const styled = ["fill", "fill-opacity", "fill-rule", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray",
+        "stroke-linejoin", "stroke-linecap", "paint-order", "font-family", "font-size", "font-weight", "visibility"];
+      const originals = this.svg.querySelectorAll("path, text");
+      copy.querySelectorAll("path, text").forEach((element, i) => {
+        const style = getComputedStyle(originals[i]);
+        for (const name of styled) element.setAttribute(name, style.getPropertyValue(name));
+      });
+      for (const element of copy.querySelectorAll(".handles, .pad")) element.remove();
+      copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
+      copy.setAttribute("width", this.drawing.width);
+      copy.setAttribute("height", this.drawing.height);
+      copy.style.background = getComputedStyle(this.svg).backgroundColor;
+      return new XMLSerializer().serializeToString(copy);
+    }
+
+    savePng() {
+      const image = new Image();
+      image.onload = () => {
+        const canvas = document.createElement("canvas");
+        canvas.width = 2 * this.drawing.width;
+        canvas.height = 2 * this.drawing.height;
+        canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+        canvas.toBlob((blob) => this.save(`${this.scene.name}.png`, blob));
+      };
+      image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(this.svgText())}`;
+    }
+
+    save(name, blob) {
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(blob);
+      link.download = name;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 10000);
     }
 
     // --- bodies that are dragged and turned
@@ -371,11 +441,14 @@ const lodlabLive = (() => {
   // Takes the place of the still picture.
   const begin = async (root) => {
     const scene = root.querySelector("script.scene").textContent;
-    const live = new Live(root, await lodlabModule(), scene);
+    const module = await lodlabModule();
     root.classList.add("alive");
-    live.drawing.resize();
-    live.show();
-    return live;
+    try {
+      return new Live(root, module, scene);
+    } catch (error) {
+      root.classList.remove("alive");
+      throw error;
+    }
   };
 
   return { Live, begin };
@@ -398,5 +471,8 @@ const lodlabTheme = () => {
 lodlabTheme();
 for (const root of document.querySelectorAll(".live"))
   lodlabLive.begin(root).then(
-    (live) => { root.live = live; },
+    (live) => {
+      root.live = live;
+      root.dispatchEvent(new CustomEvent("alive", { detail: live }));
+    },
     (error) => { root.querySelector(".trouble").textContent = `This scene does not run here: ${error.message}`; });

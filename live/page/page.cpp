@@ -5,8 +5,10 @@
 #include <map>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/live/outline.hpp"
 #include "lodlab/live/page/embedded.hpp"
 #include "lodlab/live/picture.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/viz/paint/palette.hpp"
 #include "lodlab/viz/paint/write.hpp"
 
@@ -20,6 +22,14 @@ constexpr std::array drawn{
     viz::Role::impulse,        viz::Role::velocity,     viz::Role::trajectory,
     viz::Role::reference,      viz::Role::construction, viz::Role::note};
 constexpr int body_inks = 3;
+
+constexpr const char* playground_controls = R"(<section aria-label="Shapes">
+<div class="drawing"><button type="button" class="draw-0">Draw A</button><label class="file">SVG for A<input type="file" class="open-0" accept=".svg,image/svg+xml"></label>
+<button type="button" class="draw-1">Draw B</button><label class="file">SVG for B<input type="file" class="open-1" accept=".svg,image/svg+xml"></label>
+<button type="button" class="save-scene">Save scene</button></div>
+<label class="slider"><span>Levels below root</span><input type="range" class="depth" min="0" max="6" step="1" value="4"><output class="depth-value">4</output></label>
+<p class="told" role="status">Draw an outline, or drop an SVG onto the picture.</p>
+</section>)";
 
 std::string hexadecimal(const viz::Rgb& ink) {
     std::string text = "#";
@@ -125,13 +135,16 @@ void check_module() {
                          "scripts/wasm builds it, then configure and build lodlab again");
 }
 
-std::string page_text(const Scene& scene) {
+std::string page_text(const Scene& scene, PageKind kind) {
     check_module();
-    const viz::Figure start = picture(Stage(scene));
+    const bool is_playground = kind == PageKind::playground;
+    viz::Figure start = picture(Stage(scene));
+    const std::string title = viz::plain_text(start.title);
+    start.title.clear();  // the page has it
     const double wide = scene.view.high.x - scene.view.low.x;
     const double high = scene.view.high.y - scene.view.low.y;
     return filled(embedded::page_html(),
-                  {{"title", escaped(viz::plain_text(start.title))},
+                  {{"title", escaped(title)},
                    {"style", std::string(embedded::page_css())},
                    {"inks", inks()},
                    {"still", viz::web_svg_text(start)},
@@ -139,7 +152,18 @@ std::string page_text(const Scene& scene) {
                    {"scene", within_script(scene_text(scene))},
                    {"module", within_script(std::string(embedded::module_js()))},
                    {"figure", std::string(embedded::figure_js())},
-                   {"live", std::string(embedded::live_js())}});
+                   {"live", std::string(embedded::live_js())},
+                   {"playground", is_playground ? playground_controls : ""},
+                   {"script", is_playground ? std::string(embedded::playground_js()) : ""}});
+}
+
+std::string playground_text() {
+    std::vector<DrawnOutline> outlines;
+    for (const char* name : {"star:5", "blob:7"}) {
+        const viz::Visual<2> visual = viz::visual_of(lod2d::generate(name));
+        outlines.push_back({name, visual.outline[0]});
+    }
+    return page_text(scene_of(outlines, 4), PageKind::playground);
 }
 
 }  // namespace live

@@ -40,6 +40,8 @@ TEST_CASE("a page that cannot be made is refused in one line") {
     check_failure(lodlab({"page", "no_such_scene", "--out", out}), 3, "no_such_scene");
     check_failure(lodlab({"page", "tumbling_box", "--out", out}), 3, "a scene in space");
     check_failure(lodlab({"page", "offset_boxes"}), 2, "--out is required");
+    check_failure(lodlab({"page", "--out", out}), 2, "no scene given");
+    check_failure(lodlab({"page", "offset_boxes", "--playground", "--out", out}), 2, "drop SCENE");
     check_failure(lodlab({"page", "offset_boxes", "--out", scratch / "p.png"}), 2,
                   "lodlab does this as html");
     check_failure(lodlab({"page", "offset_boxes", "--out", scratch / "none/p.html"}), 4, "none");

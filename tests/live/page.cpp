@@ -2,6 +2,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/live/page/embedded.hpp"
+#include "lodlab/live/stage.hpp"
 #include "tests/catch.hpp"
 #include "tests/live/sample.hpp"
 
@@ -42,6 +43,7 @@ TEST_CASE("a page offers every policy, contact model and response, by its word")
     offers(names_of(lod::Priority{}));
     offers(names_of(lod::ContactModel{}));
     offers(names_of(lod::Response{}));
+    offers(names_of(live::Shown{}));
 }
 
 TEST_CASE("a scene's words cannot break out of its page") {

@@ -183,3 +183,15 @@ TEST_CASE("what a stage cannot do is refused and changes nothing") {
     CHECK_THROWS_AS(stage.step(-1), lod::Error);
     CHECK(live::report(stage) == before);
 }
+
+TEST_CASE("all nodes of the level are shown, or their hulls, where that is asked for") {
+    live::Stage stage(sample::live_scene());
+    stage.set_level(1);
+    std::size_t nodes = 0;
+    for (const lod::Body<2>& body : stage.bodies()) nodes += body.tree->level_nodes(1).size();
+    CHECK(count_role(live::picture(stage), viz::Role::level_node) == 0);
+    for (const live::Shown shown : {live::Shown::circles, live::Shown::hulls}) {
+        stage.show(shown);
+        CHECK(count_role(live::picture(stage), viz::Role::level_node) == static_cast<int>(nodes));
+    }
+}

@@ -52,7 +52,7 @@ MAY_INCLUDE = {
     "viz/paint": ["core", "io/files", "viz/figure"],
     "viz/film": ["core", "io/files", "viz/figure", "viz/paint"],
     "live": ["core", "io", "lod2d", "scenes", "viz/figure", "viz/draw"],
-    "live/page": ["core", "live", "viz/figure", "viz/paint"],
+    "live/page": ["core", "lod2d", "live", "viz/figure", "viz/draw", "viz/paint"],
     "lessons/embed": ["core"],
     "lessons/exercises": ["core", "io", "lessons/embed"],
     "lessons/engine": ["core", "io/files", "lod2d", "lod3d", "viz", "lessons/embed"],
