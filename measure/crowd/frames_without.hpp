@@ -44,7 +44,7 @@ std::uint64_t run_without(const RunWithout<Dim>& run, const Take& take) {
         frame.record = &lod::advance<Dim>(frame.after, run.settings, budget, storage);
         frame.candidates = storage.candidates;
         frame.done = static_cast<double>(i + 1) / static_cast<double>(run.frames);
-        dearest = std::max(dearest, frame.record->tests);
+        dearest = (std::max)(dearest, frame.record->tests);
         take(frame);
     }
     return dearest;
