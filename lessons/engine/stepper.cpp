@@ -111,7 +111,9 @@ std::optional<Command> read_command(bool is_asking, std::istream& input, std::os
     else if (std::string typed; std::getline(input, typed))
         line = typed;
     if (!line) return {};
-    return is_asking ? parse_answer(*line) : parse_line(*line);
+    if (is_asking) return parse_answer(*line);
+    const bool has_colon = line->starts_with(":") && *line != ":p";  // as in answer to a question
+    return parse_line(has_colon ? line->substr(1) : *line);
 }
 
 /// A folder that goes away again, for pictures that are only shown.

@@ -125,6 +125,8 @@ TEST_CASE("a colon makes a command of an answer's line", "[lessons]") {
     CHECK(prints(dialogue(":b\n"), "This is the first step."));
     CHECK(prints(dialogue(":dance\n"), "'dance' is no command"));
     CHECK(dialogue(":q\n16\n") == dialogue(":q\n"));
+    CHECK(steps_shown(dialogue("16\n:n\n")) == "12");  // where none is asked as well
+    CHECK(prints(dialogue("16\n:p\n"), "':p' is no command"));
 }
 
 TEST_CASE("the question is asked once, and again when its step is shown again", "[lessons]") {
