@@ -17,7 +17,7 @@ bool in_number(char c) {
 /// Rounded to a hundredth, without zeros at the end: what is finer than a pixel is not seen.
 std::string rounded(std::string_view number) {
     double value = 0;
-    lod::from_chars(number.data(), number.data() + number.size(), value);
+    (void)lod::from_chars(number.data(), number.data() + number.size(), value);
     std::string text = lod::number_text(value, std::chars_format::fixed, 2);
     text.erase(text.find_last_not_of('0') + 1);
     if (text.ends_with('.')) text.pop_back();
