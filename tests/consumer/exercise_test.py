@@ -33,8 +33,9 @@ class InstalledExercise(unittest.TestCase):
             checked = exercise()
             self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
             headers = [word[2:] for word in (folder / "words").read_text().split() if word.startswith("-I")]
-            kept = [pathlib.Path(header) for header in headers if pathlib.Path(header).is_dir()]
-            self.assertTrue(kept and kept[0].samefile(PREFIX / "include"), headers)
+            lasting = {pathlib.Path(header).resolve() for header in headers if pathlib.Path(header).is_dir()}
+            own = {(folder / "exercises").resolve()}  # of the student
+            self.assertEqual(lasting - own, {(PREFIX / "include").resolve()}, headers)
 
 
 if __name__ == "__main__":
