@@ -275,7 +275,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error) {
 std::vector<std::string> flags_of(const Command& command) {
     std::vector<std::string> flags;
     for (const std::string& name : words_of(command.options)) {
-        if (name == "--folder" || name == "--pictures" || name == "--page-file" || name == "--exported")
+        if (name == "--folder" || name == "--pictures" || name == "--page-file" ||
+            name == "--exported")
             flags.emplace_back("--out");
         else if (name == "--exported-level")
             flags.emplace_back("--level");

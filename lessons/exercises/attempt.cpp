@@ -62,8 +62,9 @@ std::vector<std::string> compiler_with(const std::vector<std::string>& more) {
     return words;
 }
 
-/// asking.hpp, which every program includes first. Who tries many files, watching one or all of
-/// them, has it compiled when the second comes: then a file takes half the time.
+/// The header of questions and answers that every program includes first. Who tries many files,
+/// watching one or all of them, has it compiled when the second comes: then a file takes half the
+/// time.
 class Asking {
   public:
     Asking() { lod::write_text_file(folder_.path() / "asking.hpp", wire_text()); }

@@ -124,8 +124,8 @@ void give_shadows(Lesson& lesson, const Links& links) {
          {std::pair{2, "from the front"}, {0, "from the side"}, {1, "from above"}}) {
         Shadow cast = cast_shadow(links, axis);
         give(lesson, std::string("shadow ") + name, count(cast.pairs));
-        cast.panel.title =
-            std::string(name).substr(std::string_view(name).rfind(' ') + 1) + ": " + pairs_text(static_cast<std::size_t>(cast.pairs));
+        cast.panel.title = std::string(name).substr(std::string_view(name).rfind(' ') + 1) + ": " +
+                           pairs_text(static_cast<std::size_t>(cast.pairs));
         figure.panels.push_back(std::move(cast.panel));
         if (cast.pairs > 0) ++overlapping;
     }
