@@ -92,7 +92,7 @@ void FrontContacts<Dim>::find_patches(const PosedFront<Dim>& front) {
 
 template <int Dim>
 std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedFront<Dim>& front,
-                                                            const RelativePose<Dim>& b_in_a,
+                                                            const Placement<Dim>& b_in_a,
                                                             const NodePair& nodes,
                                                             const PairMotion<Dim>& motion) {
     const auto& [a, b, pairs] = front;
@@ -104,7 +104,7 @@ std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedFront<Dim
     // Twice for the sums of products that a half-space takes (PosedTree::rounding).
     const double slack = 2 * (a.rounding() + b.rounding());
     const Vector<Dim> centres =
-        b_in_a.of(b.tree().sphere(nodes.b).centre) - a.tree().sphere(nodes.a).centre;
+        b_in_a.carry(b.tree().sphere(nodes.b).centre) - a.tree().sphere(nodes.a).centre;
     if (hulls_apart<Dim>(hulls_a.corners_of(nodes.a), hulls_b.corners_of(nodes.b), b_in_a, centres,
                          slack))
         return std::nullopt;
@@ -170,9 +170,7 @@ void FrontContacts<Dim>::model_hulls(const PosedFront<Dim>& front, const PairMot
     group_by_hulls(front);
     touches_.clear();
     posed_a_ = -1;
-    const Matrix<Dim> to_a = a.rotation().transpose();
-    const RelativePose<Dim> b_in_a{to_a * front.b.rotation(),
-                                   to_a * (front.b.position() - a.position())};
+    const Placement<Dim> b_in_a = seen_from(a.placement(), front.b.placement());
     for (const Spoken& group : spoken_) {
         const auto manifold = meet_nodes(front, b_in_a, group.best, motion);
         if (!manifold) continue;

@@ -94,7 +94,7 @@ class FrontContacts {
     void model_hulls(const PosedFront<Dim>& front, const PairMotion<Dim>& motion,
                      FrontModel<Dim>& found);
     [[nodiscard]] std::optional<Manifold<Dim>> meet_nodes(const PosedFront<Dim>& front,
-                                                          const RelativePose<Dim>& b_in_a,
+                                                          const Placement<Dim>& b_in_a,
                                                           const NodePair& nodes,
                                                           const PairMotion<Dim>& motion);
     void keep_deepest();

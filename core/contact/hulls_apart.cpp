@@ -24,22 +24,22 @@ std::pair<double, const Vector<Dim>*> highest(std::span<const Vector<Dim>> corne
 
 template <int Dim>
 bool hulls_apart(std::span<const Vector<Dim>> a, std::span<const Vector<Dim>> b,
-                 const RelativePose<Dim>& b_in_a, Vector<Dim> line, double slack) {
+                 const Placement<Dim>& b_in_a, Vector<Dim> line, double slack) {
     if (a.empty() || b.empty()) return false;
-    const Matrix<Dim> back = b_in_a.turn.transpose();
+    const Matrix<Dim> back = b_in_a.rotation.transpose();
     for (int i = 0; i < most_lines; ++i) {
         const auto [top, corner_a] = highest<Dim>(a, line);
         const auto [bottom, corner_b] = highest<Dim>(b, Vector<Dim>(-(back * line)));
-        const double gap = line.dot(b_in_a.shift) - top - bottom;
+        const double gap = line.dot(b_in_a.position) - top - bottom;
         if (gap > 0 && gap * gap > slack * slack * line.squaredNorm()) return true;
-        line = b_in_a.of(*corner_b) - *corner_a;
+        line = b_in_a.carry(*corner_b) - *corner_a;
     }
     return false;
 }
 
 #define LOD_INSTANTIATE(Dim)                                                                   \
     template bool hulls_apart<Dim>(std::span<const Vector<Dim>>, std::span<const Vector<Dim>>, \
-                                   const RelativePose<Dim>&, Vector<Dim>, double);
+                                   const Placement<Dim>&, Vector<Dim>, double);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)
 #undef LOD_INSTANTIATE

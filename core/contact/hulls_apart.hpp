@@ -2,19 +2,9 @@
 
 #include <span>
 
-#include "lodlab/core/math/dimension.hpp"
+#include "lodlab/core/tree/placement.hpp"
 
 namespace lod {
-
-/// B's frame in A's, both bodies'.
-template <int Dim>
-struct RelativePose {
-    Matrix<Dim> turn = Matrix<Dim>::Identity();
-    Vector<Dim> shift = Vector<Dim>::Zero();
-
-    /// A point of B's frame in A's.
-    [[nodiscard]] Vector<Dim> of(const Vector<Dim>& point) const { return turn * point + shift; }
-};
 
 /// Whether two convex hulls, each given by its corners in its body's frame, lie more than `slack`
 /// [m] apart along one of a few lines: first along `line` (from A to B, of any length, in A's
@@ -24,6 +14,6 @@ struct RelativePose {
 /// PosedTree::rounding of both does.
 template <int Dim>
 [[nodiscard]] bool hulls_apart(std::span<const Vector<Dim>> a, std::span<const Vector<Dim>> b,
-                               const RelativePose<Dim>& b_in_a, Vector<Dim> line, double slack);
+                               const Placement<Dim>& b_in_a, Vector<Dim> line, double slack);
 
 }  // namespace lod

@@ -23,12 +23,10 @@ FamilyTests<Dim>::FamilyTests(const PosedTree<Dim>& a, const PosedTree<Dim>& b)
         return tree.single.size() ==
                static_cast<std::size_t>(tree.size()) * (Dim + 1) + SphereTree<Dim>::single_room;
     };
-    const Matrix<Dim> to_a = a.rotation().transpose();
-    const Vector<Dim> shift = to_a * (b.position() - a.position());
+    const auto [turn, shift] = seen_from(a.placement(), b.placement());
     const double size = shift.norm() + a.tree().extent + b.tree().extent;
     serves_ = size >= least_size && size <= most_size && copied(a.tree()) && copied(b.tree());
     if (!serves_) return;
-    const Matrix<Dim> turn = to_a * b.rotation();
     for (int row = 0; row < Dim; ++row) {
         shift_[row] = static_cast<float>(shift[row]);
         for (int column = 0; column < Dim; ++column)

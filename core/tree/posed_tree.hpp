@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "lodlab/core/math/half_space.hpp"
-#include "lodlab/core/tree/body.hpp"
+#include "lodlab/core/tree/placement.hpp"
 
 namespace lod {
 
@@ -24,9 +24,9 @@ class PosedTree {
         const auto n = static_cast<std::size_t>(node);
         Sphere<Dim> ball;
         for (int axis = 0; axis < Dim; ++axis) {
-            double x = position_[axis];
+            double x = position()[axis];
             for (int d = 0; d < Dim; ++d)
-                x += rotation_(axis, d) * tree_->centre[static_cast<std::size_t>(d)][n];
+                x += rotation()(axis, d) * tree_->centre[static_cast<std::size_t>(d)][n];
             ball.centre[axis] = x;
         }
         ball.radius = tree_->radius[n];
@@ -39,21 +39,23 @@ class PosedTree {
     /// The node's mean normal (SphereTree::normal), turned to the world frame each time it is asked
     /// for: only the few nodes of a finished front need one.
     [[nodiscard]] Vector<Dim> mean_normal(int node) const {
-        return rotation_ * tree_->mean_normal(node);
+        return rotation() * tree_->mean_normal(node);
     }
 
     /// Whether it stands for a half-space.
     [[nodiscard]] bool is_half_space() const { return tree_->is_half_space(); }
     /// World frame; its normal is a unit. Requires: is_half_space().
     [[nodiscard]] HalfSpace<Dim> half_space() const {
-        const Vector<Dim> normal = rotation_ * *tree_->half_space;
-        return {normal, normal.dot(position_)};
+        const Vector<Dim> normal = rotation() * *tree_->half_space;
+        return {normal, normal.dot(position())};
     }
 
     /// Body frame to world frame.
-    [[nodiscard]] const Matrix<Dim>& rotation() const { return rotation_; }
+    [[nodiscard]] const Placement<Dim>& placement() const { return placement_; }
+    /// Of the placement.
+    [[nodiscard]] const Matrix<Dim>& rotation() const { return placement_.rotation; }
     /// Of the body's centre of mass, world frame [m].
-    [[nodiscard]] const Vector<Dim>& position() const { return position_; }
+    [[nodiscard]] const Vector<Dim>& position() const { return placement_.position; }
     /// The tree in the body frame. Requires: pose() was called.
     [[nodiscard]] const SphereTree<Dim>& tree() const { return *tree_; }
     /// Bound of all rounding between the pose and the verdict of a distance test, this body's share
@@ -63,8 +65,7 @@ class PosedTree {
 
   private:
     const SphereTree<Dim>* tree_ = nullptr;
-    Matrix<Dim> rotation_ = Matrix<Dim>::Identity();
-    Vector<Dim> position_ = Vector<Dim>::Zero();
+    Placement<Dim> placement_;
     Sphere<Dim> root_;
     double rounding_ = 0;
 };
