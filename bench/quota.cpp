@@ -49,11 +49,9 @@ Frames run(std::vector<lod::Body<Dim>> bodies, const lod::FrameSettings& setting
         const auto& record = lod::advance<Dim>(bodies, settings, budget, storage);
         const auto taken = clock.now() - start;
         result.interrupted += record.interrupted() ? 1 : 0;
-        for (const lod::PairRecord& pair : record.pairs) {
-            if (pair.verdict == lod::Verdict::apart) continue;
-            result.levels += pair.level;
-            result.pairs += 1;
-        }
+        const lod::LevelsReached reached = record.levels_reached();
+        result.levels += reached.mean * static_cast<double>(reached.pairs);
+        result.pairs += static_cast<double>(reached.pairs);
         if (bench::preemptions() != before)
             ++result.preempted;
         else if (frame > 0)  // the first one allocates

@@ -95,11 +95,9 @@ Figures run(int count, double milliseconds, int frames, lod::FrameSettings setti
         figures.skipped += static_cast<double>(record.spending.levels.skipped);
         figures.dropped += static_cast<double>(record.spending.levels.dropped);
         figures.cut += record.interrupted() ? 1 : 0;
-        for (const lod::PairRecord& pair : record.pairs) {
-            if (pair.verdict == lod::Verdict::apart) continue;
-            figures.level_sum += pair.level;
-            ++figures.colliding;
-        }
+        const lod::LevelsReached reached = record.levels_reached();
+        figures.level_sum += reached.mean * static_cast<double>(reached.pairs);
+        figures.colliding += static_cast<double>(reached.pairs);
         if (bench::preemptions() != before) {
             ++figures.preempted;
             continue;

@@ -39,6 +39,25 @@ const std::vector<lod::Body<2>>& crowd() {
     return bodies;
 }
 
+/// Two boxes of 1 m and 1 kg that pass each other at 1 m/s and a gap of 0.1 m, and `away` [m] along
+/// x two discs that meet head-on.
+std::vector<lod::Body<2>> two_couples(double away) {
+    const lod2d::Shape square = lod2d::generate("box:1,1");
+    const auto tree = std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(square));
+    const auto disc = std::make_shared<const lod::SphereTree<2>>(
+        lod::single_sphere<2>({lod::Vector<2>::Zero(), 0.5}));
+    const auto body = [&](const auto& of, double x, double y, double speed) {
+        lod::Body<2> made;
+        lod::set_mass<2>(made, 1, lod::Inertia<2>::Constant(1.0 / 6));
+        made.tree = of;
+        made.position = {x, y};
+        made.velocity = {speed, 0};
+        return made;
+    };
+    return {body(tree, 0, 0, 1), body(tree, 0.5, 1.1, -1), body(disc, away, 0, 1),
+            body(disc, away + 0.99, 0, -1)};
+}
+
 }  // namespace
 
 TEST_CASE("a quota of all tests that the dearest frame needs makes no error") {
@@ -65,20 +84,7 @@ TEST_CASE("an error is the share of the momentum that goes wrong") {
     // quota, for their trees have one node. Two squares of 1 m and 1 kg pass at a gap of 0.1 m;
     // only their root circles meet, and without a test more they are pushed along n, the line of
     // the centres: each by j = 2 |v . n| / (1 + 1) = 2 n.x, so 4 n.x of 4 are wrong.
-    const lod2d::Shape square = lod2d::generate("box:1,1");
-    const auto tree = std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(square));
-    const auto disc = std::make_shared<const lod::SphereTree<2>>(
-        lod::single_sphere<2>({lod::Vector<2>::Zero(), 0.5}));
-    const auto body = [&](const auto& of, double x, double y, double speed) {
-        lod::Body<2> made;
-        lod::set_mass<2>(made, 1, lod::Inertia<2>::Constant(1.0 / 6));
-        made.tree = of;
-        made.position = {x, y};
-        made.velocity = {speed, 0};
-        return made;
-    };
-    const std::vector<lod::Body<2>> bodies{body(tree, 0, 0, 1), body(tree, 0.5, 1.1, -1),
-                                           body(disc, 100, 0, 1), body(disc, 100.99, 0, -1)};
+    const std::vector<lod::Body<2>> bodies = two_couples(100);
     lod::FrameSettings settings;
     settings.contact_model = lod::ContactModel::centre_line;
     const auto outcomes = tried(bodies, {0, 1}, 1, settings);
@@ -96,20 +102,7 @@ TEST_CASE("an attended error weighs each body by the most attention that a pair 
     // couple far from there meets rightly, more of what is attended is wrong than of all; and less
     // where the other couple is looked at. By hand: a couple has one weight, w; each changes by
     // 2 and 4 kg m/s (see above).
-    const lod2d::Shape square = lod2d::generate("box:1,1");
-    const auto tree = std::make_shared<const lod::SphereTree<2>>(lod2d::build_tree(square));
-    const auto disc = std::make_shared<const lod::SphereTree<2>>(
-        lod::single_sphere<2>({lod::Vector<2>::Zero(), 0.5}));
-    const auto body = [&](const auto& of, double x, double y, double speed) {
-        lod::Body<2> made;
-        lod::set_mass<2>(made, 1, lod::Inertia<2>::Constant(1.0 / 6));
-        made.tree = of;
-        made.position = {x, y};
-        made.velocity = {speed, 0};
-        return made;
-    };
-    const std::vector<lod::Body<2>> bodies{body(tree, 0, 0, 1), body(tree, 0.5, 1.1, -1),
-                                           body(disc, 5, 0, 1), body(disc, 5.99, 0, -1)};
+    const std::vector<lod::Body<2>> bodies = two_couples(5);
     const double wrong = 4 * 0.5 / std::sqrt(0.25 + 1.21);
     for (const double fixation : {0.0, 5.0}) {
         lod::FrameSettings settings;
