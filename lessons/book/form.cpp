@@ -1,63 +1,46 @@
 #include "lessons/book/form.hpp"
 
 #include <algorithm>
-#include <cctype>
+#include <nlohmann/json.hpp>
 
 #include "lessons/embed/lines.hpp"
 #include "lessons/embed/markdown.hpp"
 #include "lessons/engine/questions/read_number.hpp"
-#include "lodlab/core/base/to_chars.hpp"
 
 namespace lessons {
 namespace {
 
-bool is_letter(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
-/// A string of JSON that may stand in a script element.
-std::string json_text(const std::string& text) {
-    std::string json = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') json += '\\';
-        if (c == '<')
-            json += "\\u003c";
-        else if (static_cast<unsigned char>(c) < 0x20)
-            json += ' ';
-        else
-            json += c;
-    }
-    return json + "\"";
-}
-
-std::string json_number(double value) {
-    return lod::number_text(value);
-}
-
-std::string reply_json(const Lesson& lesson, const std::string& reply) {
-    return "\"reply\": " + json_text(inline_html(lesson, reply));
-}
-
 /// What the script grades by: the same as lessons::grade does.
-std::string key_json(const Lesson& lesson, const Question& question) {
+nlohmann::ordered_json key_of(const Lesson& lesson, const Question& question) {
+    using Json = nlohmann::ordered_json;
     constexpr const char* kinds[] = {"value", "above", "below"};
-    std::string parts;
+    Json key;
     for (const Choice& choice : question.choices)
-        parts += (parts.empty() ? "" : ", ") + std::string("{\"right\": ") +
-                 (choice.right ? "true, " : "false, ") + reply_json(lesson, choice.reply) + "}";
-    if (!question.choices.empty()) return "{\"choices\": [" + parts + "]}";
+        key["choices"].push_back(
+            {{"right", choice.right}, {"reply", inline_html(lesson, choice.reply)}});
+    if (!question.choices.empty()) return key;
+    key = {{"value", question.value},
+           {"tolerance", question.tolerance},
+           {"unit", question.unit},
+           {"reply", inline_html(lesson, question.reply)},
+           {"mistakes", Json::array()}};
     for (const Mistake& mistake : question.mistakes)
-        parts += (parts.empty() ? "" : ", ") + std::string("{\"kind\": \"") +
-                 kinds[static_cast<int>(mistake.kind)] +
-                 "\", \"value\": " + json_number(mistake.value) + ", " +
-                 reply_json(lesson, mistake.reply) + "}";
-    return "{\"value\": " + json_number(question.value) +
-           ", \"tolerance\": " + json_number(question.tolerance) +
-           ", \"unit\": " + json_text(question.unit) + ", " + reply_json(lesson, question.reply) +
-           ", \"mistakes\": [" + parts + "]}";
+        key["mistakes"].push_back({{"kind", kinds[static_cast<int>(mistake.kind)]},
+                                   {"value", mistake.value},
+                                   {"reply", inline_html(lesson, mistake.reply)}});
+    return key;
+}
+
+/// JSON that may stand in a script element, which a text could end.
+std::string script_text(const nlohmann::ordered_json& json) {
+    std::string text;
+    for (const char c : json.dump()) {
+        if (c == '<')
+            text += "\\u003c";
+        else
+            text += c;
+    }
+    return text;
 }
 
 std::string choices_html(const Lesson& lesson, const Question& question, const std::string& id) {
@@ -154,7 +137,7 @@ std::string form_html(const Lesson& lesson, const Question& question, std::size_
            "type=\"button\" class=\"pass\">Pass</button></p>\n"
            "<p class=\"reply\" role=\"status\" aria-live=\"polite\"></p>\n</fieldset>\n"
            "<script type=\"application/json\" class=\"key\">" +
-           key_json(lesson, question) + "</script>\n</form>\n";
+           script_text(key_of(lesson, question)) + "</script>\n</form>\n";
 }
 
 }  // namespace lessons

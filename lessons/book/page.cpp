@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 
 #include "lessons/book/form.hpp"
+#include "lessons/embed/lines.hpp"
 #include "lessons/embed/markdown.hpp"
 #include "lessons/embed/source.hpp"
 
 namespace lessons {
 namespace {
-
-bool is_letter(char c) {
-    return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 std::string picture_html(const std::string& path, const viz::Figure& figure) {
     return "<a class=\"picture\" href=\"" + path + "\"><img src=\"" + path + "\" alt=\"" +

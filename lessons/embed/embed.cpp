@@ -8,8 +8,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <set>
 #include <sstream>
 
@@ -17,22 +15,18 @@
 #include "lessons/embed/markdown.hpp"
 #include "lessons/embed/script.hpp"
 #include "lessons/embed/source.hpp"
+#include "lessons/embed/tool.hpp"
 #include "lodlab/core/base/error.hpp"
 
 extern char** environ;
 
 namespace {
 
+using lessons::literal;
 using lessons::Source;
 
 [[noreturn]] void refuse(const std::string& why) {
     throw lod::Error(lod::ErrorKind::input_refused, why);
-}
-
-std::string read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) refuse(path + ": cannot be read");
-    return {std::istreambuf_iterator<char>(file), {}};
 }
 
 /// A child's standard output for a short standard input.
@@ -110,20 +104,20 @@ std::map<std::string, std::string> own_listings(const std::string& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::string file = entry.path().string();
         if (entry.path().extension() == ".cpp")
-            listings.merge(lessons::find_listings(read(file), file));
+            listings.merge(lessons::find_listings(lessons::read(file), file));
     }
     return listings;
 }
 
 /// The definition in a file, or in the one file of a folder ("core/"), or below it, that has it.
 std::string definition_in(const std::string& place, const std::string& name) {
-    if (!place.ends_with("/")) return lessons::find_definition(read(place), name, place);
+    if (!place.ends_with("/")) return lessons::find_definition(lessons::read(place), name, place);
     std::set<std::string> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(place))
         if (entry.path().extension() == ".cpp" || entry.path().extension() == ".hpp")
             files.insert(entry.path().string());
     for (const std::string& file : files) {
-        const std::string code = read(file);
+        const std::string code = lessons::read(file);
         if (lessons::has_definition(code, name)) return lessons::find_definition(code, name, file);
     }
     refuse(place + ": no definition of '" + name + "' in this folder");
@@ -172,7 +166,7 @@ void find_named_listings(const std::string& root, const Text& text,
 Source read_lesson(const std::string& root, const std::string& slug, const std::string& blahtexml) {
     const std::string folder = root + "/lessons/course/" + slug;
     const std::string where = folder + "/lesson.md";
-    Source source{slug, read(where), {}, {}};
+    Source source{slug, lessons::read(where), {}, {}};
     const lessons::Script script = lessons::read_script(source.markdown, where);
     auto unnamed = own_listings(folder);
     for (const Text& text : texts_of(script)) {
@@ -184,17 +178,6 @@ Source read_lesson(const std::string& root, const std::string& slug, const std::
     if (!unnamed.empty())
         refuse(where + ": no text shows the listing '" + unnamed.begin()->first + "' of its code");
     return source;
-}
-
-/// A literal of any length: raw strings side by side, for compilers limit one.
-std::string literal(const std::string& text) {
-    constexpr std::size_t most = 8000;
-    std::ostringstream code;
-    code << "std::string(";
-    for (std::size_t begin = 0; begin < text.size() || begin == 0; begin += most)
-        code << "R\"lodlab(" << text.substr(begin, most) << ")lodlab\"\n";
-    code << ", " << text.size() << ")";
-    return code.str();
 }
 
 std::string literal(const std::map<std::string, std::string>& table) {
@@ -223,7 +206,7 @@ void embed(const std::vector<std::string>& arguments) {
                << literal(source.listings) << ", " << literal(source.equations) << "}, "
                << function_of(source.slug) << "},\n";
     }
-    std::ofstream file(arguments.at(0), std::ios::binary);
+    std::ostringstream file;
     file << "// Written by lodlab_embed; do not edit.\n#include \"lessons/engine/embedded.hpp\"\n\n"
          << "namespace lessons {\n"
          << declared.str() << "\nconst std::vector<EmbeddedLesson>& embedded_lessons() {\n"
@@ -233,20 +216,13 @@ void embed(const std::vector<std::string>& arguments) {
          << "    static const std::map<std::string, std::string> files{\n";
     for (++i; i < arguments.size(); ++i)
         file << "{" << literal(arguments[i].substr(arguments[i].rfind('/') + 1)) << ", "
-             << literal(read(arguments[i])) << "},\n";
+             << literal(lessons::read(arguments[i])) << "},\n";
     file << "    };\n    return files;\n}\n\n}  // namespace lessons\n";
-    file.close();
-    if (!file) refuse(arguments.at(0) + ": cannot be written");
+    lessons::write(arguments.at(0), file.str());
 }
 
 }  // namespace
 
 int main(int count, char** values) {
-    try {
-        embed({values + 1, values + count});
-        return 0;
-    } catch (const std::exception& problem) {
-        std::cerr << problem.what() << "\n";
-        return 1;
-    }
+    return lessons::run_tool(count, values, embed);
 }

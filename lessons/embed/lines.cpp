@@ -1,6 +1,7 @@
 #include "lessons/embed/lines.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "lodlab/core/base/error.hpp"
 
@@ -9,6 +10,14 @@ namespace lessons {
 void refuse_line(const std::string& where, int line, const std::string& why) {
     throw lod::Error(lod::ErrorKind::input_refused,
                      where + ":" + std::to_string(line) + ": " + why);
+}
+
+bool is_letter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
+bool is_word(char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 std::string trimmed(std::string_view text) {

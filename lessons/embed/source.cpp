@@ -21,10 +21,6 @@ std::string dedented(const std::vector<std::string>& lines) {
     return text;
 }
 
-bool is_word(char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 /// Whether `name` stands in the line as a whole word.
 bool names(std::string_view line, std::string_view name) {
     for (std::size_t at = line.find(name); at != std::string_view::npos;

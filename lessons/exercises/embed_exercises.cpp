@@ -4,24 +4,17 @@
 // An exercise is ROOT/lessons/exercises/tasks/NAME.md, and the function make_NAME of NAME.cpp
 // beside it.
 
-#include <fstream>
-#include <iostream>
 #include <set>
 #include <sstream>
 
 #include "lessons/embed/lines.hpp"
+#include "lessons/embed/tool.hpp"
 #include "lessons/exercises/words.hpp"
-#include "lodlab/core/base/error.hpp"
 
 namespace {
 
 using exercises::Words;
-
-std::string read(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    if (!file) lod::refuse_input(path, "cannot be read");
-    return {std::istreambuf_iterator<char>(file), {}};
-}
+using lessons::literal;
 
 /// Takes the includes out of the code.
 std::string without_includes(const std::string& code, std::set<std::string>& includes) {
@@ -62,16 +55,17 @@ void embed(const std::vector<std::string>& arguments) {
     std::ostringstream listed;
     for (std::size_t i = 2; i < arguments.size(); ++i) {
         const std::string& name = arguments[i];
-        const std::string markdown = read(root + "/lessons/exercises/tasks/" + name + ".md");
+        const std::string markdown =
+            lessons::read(root + "/lessons/exercises/tasks/" + name + ".md");
         const Words words = exercises::read_words(name, markdown);
         std::string table;
         spaces << variants_of(words, includes, table);
         declared << "Task make_" << name << "();\n";
-        listed << "    {" << i - 1 << ", read_words(\"" << name << "\", R\"lodlab(" << markdown
-               << ")lodlab\"), make_" << name << "(), {\n"
+        listed << "    {" << i - 1 << ", read_words(\"" << name << "\", " << literal(markdown)
+               << "), make_" << name << "(), {\n"
                << table << "    }},\n";
     }
-    std::ofstream file(arguments.at(0), std::ios::binary);
+    std::ostringstream file;
     file << "// Written by lodlab_embed_exercises; do not edit.\n";
     for (const std::string& include : includes) file << include << "\n";
     file << "#include \"lessons/exercises/embedded.hpp\"\n"
@@ -80,21 +74,14 @@ void embed(const std::vector<std::string>& arguments) {
          << declared.str() << "\nconst std::vector<Exercise>& all() {\n"
          << "    static const std::vector<Exercise> exercises{\n"
          << listed.str() << "    };\n    return exercises;\n}\n\nconst std::string& wire_text() {\n"
-         << "    static const std::string text = R\"lodlab("
-         << read(root + "/lessons/exercises/wire.hpp")
-         << ")lodlab\";\n    return text;\n}\n\n}  // namespace exercises\n";
-    file.close();
-    if (!file) lod::refuse_input(arguments.at(0), "cannot be written");
+         << "    static const std::string text = "
+         << literal(lessons::read(root + "/lessons/exercises/wire.hpp"))
+         << ";\n    return text;\n}\n\n}  // namespace exercises\n";
+    lessons::write(arguments.at(0), file.str());
 }
 
 }  // namespace
 
 int main(int count, char** values) {
-    try {
-        embed({values + 1, values + count});
-        return 0;
-    } catch (const std::exception& problem) {
-        std::cerr << problem.what() << "\n";
-        return 1;
-    }
+    return lessons::run_tool(count, values, embed);
 }

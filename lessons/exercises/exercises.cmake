@@ -10,7 +10,7 @@ set(exercises
   box_inertia spin_change)
 
 add_executable(lodlab_embed_exercises
-  exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp embed/lines.cpp)
+  exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp embed/lines.cpp embed/tool.cpp)
 target_include_directories(lodlab_embed_exercises PRIVATE ${PROJECT_SOURCE_DIR})
 target_link_libraries(lodlab_embed_exercises PRIVATE lodlab::core lodlab_warnings)
 
