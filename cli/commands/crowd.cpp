@@ -11,6 +11,17 @@ namespace cli {
 
 using Json = nlohmann::ordered_json;
 
+void show(const Options& options, std::function<viz::Figure()> figure,
+          const std::function<Json()>& json, const std::function<std::string()>& report) {
+    Drawing drawing;
+    drawing.figure = std::move(figure);
+    write_outputs(options, drawing);
+    if (options.json)
+        print(json());
+    else
+        print(report());
+}
+
 std::size_t moving_in(const scenes::Scene& scene) {
     return static_cast<std::size_t>(
         std::count_if(scene.bodies.begin(), scene.bodies.end(),

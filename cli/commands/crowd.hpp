@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -18,6 +19,11 @@ void show_errors(const Options& options);
 void show_times(const Options& options);
 /// Which levels are reached: crowd_levels.cpp.
 void show_levels(const Options& options);
+
+/// Writes the picture of what was measured wherever the options say so, and prints it.
+void show(const Options& options, std::function<viz::Figure()> figure,
+          const std::function<nlohmann::ordered_json()>& json,
+          const std::function<std::string()>& report);
 
 /// How many bodies are no walls.
 [[nodiscard]] std::size_t moving_in(const scenes::Scene& scene);

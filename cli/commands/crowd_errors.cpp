@@ -293,13 +293,9 @@ viz::Figure figure_of(const Errors& result) {
 void show_errors(const Options& options) {
     check_outputs(options, {});
     const Errors result = measured_errors(options);
-    Drawing drawing;
-    drawing.figure = [&] { return figure_of(result); };
-    write_outputs(options, drawing);
-    if (options.json)
-        print(json_of(result));
-    else
-        print(report_of(result));
+    show(
+        options, [&] { return figure_of(result); }, [&] { return json_of(result); },
+        [&] { return report_of(result); });
 }
 
 }  // namespace cli

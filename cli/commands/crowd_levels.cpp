@@ -208,13 +208,9 @@ viz::Figure figure_of(const LevelFrames& result, const Options& options) {
 void show_levels(const Options& options) {
     check_outputs(options, {});
     const LevelFrames result = measured_levels(options);
-    Drawing drawing;
-    drawing.figure = [&] { return figure_of(result, options); };
-    write_outputs(options, drawing);
-    if (options.json)
-        print(json_of(result, options));
-    else
-        print(report_of(result, options));
+    show(
+        options, [&] { return figure_of(result, options); },
+        [&] { return json_of(result, options); }, [&] { return report_of(result, options); });
 }
 
 }  // namespace cli

@@ -289,13 +289,9 @@ viz::Figure figure_of(const FrameTimes& result, const Options& options) {
 void show_times(const Options& options) {
     check_outputs(with_bodies(options, numbers_in(options.bodies).front()), {});
     const FrameTimes result = measured_times(options);
-    Drawing drawing;
-    drawing.figure = [&] { return figure_of(result, options); };
-    write_outputs(options, drawing);
-    if (options.json)
-        print(json_of(result, options));
-    else
-        print(report_of(result, options));
+    show(
+        options, [&] { return figure_of(result, options); },
+        [&] { return json_of(result, options); }, [&] { return report_of(result, options); });
 }
 
 }  // namespace cli
