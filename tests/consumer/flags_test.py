@@ -1,13 +1,12 @@
-"""Builds every example, and a program that uses Eigen with settings of its own, against an installed
-lodlab, with compiler flags that the library was not built with. Each must compile, run to its end, and
-print and write the same bytes as with no flags at all. What must not compile or link is tried, too.
+"""Builds every example, joined into one program, and a program that uses Eigen with settings of its own,
+against an installed lodlab, with compiler flags that the library was not built with. Each must compile, run to
+its end, and print and write the same bytes as with no flags at all. What must not compile or link is tried, too.
 
 Usage: flags_test.py --prefix DIR --libdir lib --sources DIR --compilers g++ [clang++ ...]
                      [--base FLAGS] [--built DIR] [--all]
 --base are flags that the library itself needs (a sanitizer's); DIR holds programs that were built with the
 library itself and no flags of their own, the others are built anew; --all tries every flag with every
-standard and sanitizer, which takes some minutes; without it a choice is tried: the one program that uses
-Eigen with each set of flags, the others with one set after another.
+standard and sanitizer, which takes some minutes; without it the worst of them are tried, all together.
 """
 
 import argparse
@@ -21,10 +20,7 @@ import subprocess
 import sys
 import tempfile
 
-FEW = [
-    ["-march=x86-64-v3", "-DEIGEN_MAX_ALIGN_BYTES=64", "-O1", "-std=c++2b"],
-    ["-march=native", "-O3", "-ffp-contract=fast"],
-]
+FEW = [["-march=native", "-O3", "-ffp-contract=fast", "-DEIGEN_MAX_ALIGN_BYTES=64", "-std=c++2b"]]
 ALL = [
     ["-march=x86-64-v2"],
     ["-march=x86-64-v3"],
@@ -43,6 +39,23 @@ REFUSED = {
     ("-D_GLIBCXX_DEBUG",): "layout_0_1_with_GLIBCXX_DEBUG",
 }
 WITH_EIGEN = "with_eigen"
+EXAMPLES = "examples"
+
+
+def joined(paths):
+    """Programs, each of which ends with its main, as one whose argument says which is to run."""
+    includes, bodies = set(), []
+    for path in paths:
+        lines = path.read_text().splitlines()
+        includes |= {line for line in lines if line.startswith("#include")}
+        body = "\n".join(line for line in lines if not line.startswith("#include"))
+        end = body.rindex("}")
+        body = body[:end].replace("int main()", "int run()") + "    return 0;\n}"
+        bodies.append(f"namespace example_{path.stem} {{\n{body}\n}}")
+    choices = [f'    if (name == "{path.stem}") return example_{path.stem}::run();' for path in paths]
+    return "\n".join([*sorted(includes), "#include <string_view>", *bodies,
+                      "int main(int, char** words) {", "    const std::string_view name = words[1];",
+                      *choices, "    return 99;", "}", ""])
 
 
 def runs_here(flags):
@@ -80,8 +93,13 @@ class Consumer:
         # Fontconfig keeps what it has read until the program ends: memory errors are looked for here.
         self.environment = dict(os.environ, LD_LIBRARY_PATH=f"{arguments.prefix}/{arguments.libdir}",
                                 ASAN_OPTIONS="detect_leaks=0")
-        self.programs = {path.stem: path for path in sorted((self.sources / "examples").glob("*.cpp"))}
-        self.programs[WITH_EIGEN] = self.sources / "tests/consumer/with_eigen.cpp"
+        paths = sorted((self.sources / "examples").glob("*.cpp"))
+        self.names = {EXAMPLES: [path.stem for path in paths], WITH_EIGEN: [WITH_EIGEN]}
+        self.folder = tempfile.TemporaryDirectory()
+        examples = pathlib.Path(self.folder.name) / "examples.cpp"
+        examples.write_text(joined(paths))
+        self.programs = {EXAMPLES: examples, WITH_EIGEN: self.sources / "tests/consumer/with_eigen.cpp",
+                         "two_bodies": self.sources / "examples/two_bodies.cpp"}
 
     def compile(self, name, compiler, flags, output):
         """The program's flags stand last, as a careless user's would."""
@@ -92,29 +110,28 @@ class Consumer:
 
     def expected(self, name, compiler):
         """The outcome without flags."""
-        program = self.built / name if self.built else None
-        if program and program.exists():
-            with tempfile.TemporaryDirectory() as folder:
-                return self.outcome_of(program, folder)
+        programs = [self.built / one for one in self.names[name]] if self.built else []
+        if programs and all(program.exists() for program in programs):
+            return [self.outcome_of([program]) for program in programs]
         return self.outcome(name, compiler, [])
 
     def outcome(self, name, compiler, flags):
-        """What the program prints and writes; or a line that begins with an exclamation mark."""
-        with tempfile.TemporaryDirectory() as building, tempfile.TemporaryDirectory() as folder:
+        """What each of the program's parts prints and writes; or a line that begins with an exclamation mark."""
+        with tempfile.TemporaryDirectory() as building:
             program = pathlib.Path(building) / "program"
             built = self.compile(name, compiler, flags, program)
             if built.returncode != 0:
-                return "! does not compile: " + built.stderr.strip()[-2000:]
-            return self.outcome_of(program, folder)
+                return ["! does not compile: " + built.stderr.strip()[-2000:]]
+            return [self.outcome_of([program, one]) for one in self.names[name]]
 
-    def outcome_of(self, program, folder):
-        ran = subprocess.run([program], cwd=folder, capture_output=True, text=True,
-                             env=self.environment)
-        if ran.returncode != 0:
-            return f"! ends with {ran.returncode}: {ran.stderr.strip()[-2000:]}"
-        written = [f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
-                   for path in sorted(pathlib.Path(folder).iterdir())]
-        return "\n".join([ran.stdout, *written])
+    def outcome_of(self, command):
+        with tempfile.TemporaryDirectory() as folder:
+            ran = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=self.environment)
+            if ran.returncode != 0:
+                return f"! {command[-1]} ends with {ran.returncode}: {ran.stderr.strip()[-2000:]}"
+            written = [f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
+                       for path in sorted(pathlib.Path(folder).iterdir())]
+            return "\n".join([ran.stdout, *written])
 
 
 def check_refusals(consumer, compilers):
@@ -150,23 +167,25 @@ def main():
     flag_sets = [flags for flags in flag_sets if flags not in skipped]
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        expected = dict(zip(consumer.programs, pool.map(
-            lambda name: consumer.expected(name, arguments.compilers[0]), consumer.programs)))
-        trials = [(name, compiler, flags) for place, name in enumerate(consumer.programs)
-                  for compiler in arguments.compilers for turn, flags in enumerate(flag_sets)
-                  if arguments.all or name == WITH_EIGEN or turn == place % len(flag_sets)]
+        expected = dict(zip(consumer.names, pool.map(
+            lambda name: consumer.expected(name, arguments.compilers[0]), consumer.names)))
+        trials = list(itertools.product(consumer.names, arguments.compilers, flag_sets))
         found = list(pool.map(lambda trial: consumer.outcome(*trial), trials))
 
     wrong = check_refusals(consumer, arguments.compilers)
-    wrong += [f"{name} with no flags {outcome}" for name, outcome in expected.items() if outcome[0] == "!"]
+    wrong += [f"with no flags {one}" for outcome in expected.values() for one in outcome if one[0] == "!"]
     for (name, compiler, flags), outcome in zip(trials, found):
-        if outcome != expected[name]:
-            wrong.append(f"{name}, {compiler} {' '.join(flags)}:\n{outcome}\ninstead of\n{expected[name]}")
+        if len(outcome) != len(expected[name]):
+            wrong.append(f"{name}, {compiler} {' '.join(flags)}:\n{outcome[0]}")
+            continue
+        for part, one, wanted in zip(consumer.names[name], outcome, expected[name]):
+            if one != wanted:
+                wrong.append(f"{part}, {compiler} {' '.join(flags)}:\n{one}\ninstead of\n{wanted}")
     print("\n\n".join(wrong))
     for flags in skipped:
         print(f"not tried, this machine lacks the instructions: {' '.join(flags)}")
-    refusals = len(REFUSED) * len(arguments.compilers)
-    print(f"{len(trials) + refusals - len(wrong)} of {len(trials) + refusals} as they should be")
+    tried = sum(len(consumer.names[name]) for name, _, _ in trials) + len(REFUSED) * len(arguments.compilers)
+    print(f"{tried} tried, {len(wrong)} not as they should be")
     sys.exit(1 if wrong else 0)
 
 

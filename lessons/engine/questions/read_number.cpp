@@ -8,6 +8,7 @@
 
 #include "lessons/embed/lines.hpp"
 #include "lodlab/core/base/from_chars.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 
 namespace lessons {
 namespace {
@@ -134,7 +135,7 @@ std::vector<double> take_number(std::string& text) {
     return values;
 }
 
-constexpr double degree = 3.14159265358979323846 / 180;
+constexpr double degree = lod::full_turn / 360;
 struct Row {
     std::string_view unit;
     UnitSize size;
