@@ -1,5 +1,6 @@
 # cmake -D SOURCE=folder -D OUTPUT=commit.hpp -P commit.cmake: writes which commit the sources are of,
 # only where that changed, so that nothing is built again without need.
+cmake_minimum_required(VERSION 3.25)
 set(commit "an unknown commit")
 find_program(GIT git)
 if(GIT AND EXISTS ${SOURCE}/.git)

@@ -82,12 +82,13 @@ bool has_quota(const Options& options) {
 bool is_timed(const Options& options) {
     return !options.bodies.empty() || options.levels;
 }
-bool has_number(const Options& options) {
-    return options.number.has_value();
+bool has_lesson(const Options& options) {
+    return !options.lesson.empty();
 }
 bool has_exercise(const Options& options) {
     return !options.exercise.empty();
 }
+constexpr std::string_view name_a_lesson = "name one, as in lodlab lesson 3";
 constexpr std::string_view name_an_exercise = "name one, as in lodlab exercise 1";
 constexpr Needed needed[] = {
     {"collide", "--projected", "what a picture shows", has_picture, "add --out FILE.png"},
@@ -107,8 +108,8 @@ constexpr Needed needed[] = {
     {"simulate", "--seek", "which moment of a trace is shown", has_replay, "add --replay FILE"},
     {"tree", "--level", "which level a .urdf file holds", has_one_level,
      "add --out FILE.urdf; --depth limits the levels of the tree"},
-    {"lesson", "--out", "where the pictures of a lesson go", has_number,
-     "name one, as in lodlab lesson 3"},
+    {"lesson", "--out", "where the pictures of a lesson go", has_lesson, name_a_lesson},
+    {"lesson", "--step", "where a lesson begins", has_lesson, name_a_lesson},
     {"exercise", "--hint", "what you want of an exercise", has_exercise, name_an_exercise},
     {"exercise", "--solution", "what you want of an exercise", has_exercise, name_an_exercise},
     {"exercise", "--reset", "what you want of an exercise", has_exercise, name_an_exercise},

@@ -15,8 +15,10 @@ struct Options {
 
     std::string shape;          ///< a file, text:R, or a generator
     std::string scene;          ///< a file, or the name of a scene that comes with lodlab
-    std::optional<int> number;  ///< of a figure or a lesson
+    std::optional<int> number;  ///< of a figure
 
+    std::string lesson;  ///< its number or its name
+    std::optional<int> step;
     std::string exercise;  ///< its number or its name
     bool hint = false;
     bool solution = false;

@@ -117,7 +117,7 @@ struct Row {
 };
 
 constexpr double most_tests = 2'000'000'000;
-constexpr double most_pages = 1000;                          // of figures and lessons
+constexpr double most_pages = 1000;                          // of figures, and steps of lessons
 constexpr double most_seeds = 18'446'744'073'709'549'568.0;  // the last double below 2^64
 
 // clang-format off
@@ -128,7 +128,8 @@ const Row rows[] = {
     {"[SCENE]", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), the name of a scene that comes with lodlab, or a crowd, as in gas:30"); }},
     {"--playground", [](CLI::App& a, Options& o) { a.add_flag("--playground", o.playground, "no scene: a page on which shapes are drawn, or dropped as SVG, and collide"); }},
     {"FIGURE", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the figure in the paper")->check(range(0, most_pages))->required(); }},
-    {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the lesson; without it the lessons are listed")->check(range(0, most_pages)); }},
+    {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("LESSON", o.lesson, "number or name of the lesson; without it the lessons are listed"); }},
+    {"--step", [](CLI::App& a, Options& o) { a.add_option("--step", o.step, "of the lesson, to begin with; without it, on a terminal, where you left")->check(range(1, most_pages)); }},
     {"[EXERCISE]", [](CLI::App& a, Options& o) { a.add_option("EXERCISE", o.exercise, "number or name of the exercise; without it the exercises are listed"); }},
     {"--hint", [](CLI::App& a, Options& o) { a.add_flag("--hint", o.hint, "print the next hint"); }},
     {"--solution", [](CLI::App& a, Options& o) { a.add_flag("--solution", o.solution, "print a solution"); }},

@@ -30,7 +30,7 @@ constexpr Command table[] = {
      "lodlab figure 9 --out figure-9.png --out figure-9.mp4",
      "FIGURE --dim --contact-model --out --no-cache --theme --quality", run_figure},
     {"lesson", "List the lessons, or step through one, forwards and backwards",
-     "lodlab lesson 3 --out pictures", "[LESSON] --pictures --theme", run_lesson},
+     "lodlab lesson traversal", "[LESSON] --step --pictures --theme", run_lesson},
     {"exercise", "List the exercises of the lessons, begin one, or check what you wrote",
      "lodlab exercise meet", "[EXERCISE] --hint --solution --reset --watch --json", run_exercise},
     {"book", "Write the lessons as web pages that need no network",

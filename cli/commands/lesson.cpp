@@ -5,10 +5,14 @@
 #include <iostream>
 
 #include "cli/arguments/command.hpp"
+#include "cli/arguments/misused.hpp"
 #include "cli/stage/pictures.hpp"
 #include "cli/terminal/output.hpp"
+#include "lessons/engine/bookmarks.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/core/base/stop.hpp"
+#include "lodlab/scenes/spelling.hpp"
 
 namespace cli {
 namespace {
@@ -16,9 +20,19 @@ namespace {
 void print_lessons() {
     std::string text;
     for (const lessons::Entry& entry : lessons::list())
-        text += right(std::to_string(entry.number), 3) + "  " + entry.title + "\n";
+        text += right(std::to_string(entry.number), 3) + "  " + entry.title + "  (" + entry.slug +
+                ")\n";
     text += "Step through one: lodlab lesson 1\n";
     print(text);
+}
+
+lessons::Entry named_lesson(const std::string& word) {
+    if (const auto found = lessons::find_lesson(word)) return *found;
+    const std::vector<lessons::Entry> all = lessons::list();
+    std::vector<std::string_view> names;
+    for (const lessons::Entry& entry : all) names.emplace_back(entry.slug);
+    misused("no lesson " + word + scenes::did_you_mean(word, names) + "; there are 1 to " +
+            std::to_string(all.size()) + ", and lodlab lesson lists them");
 }
 
 /// Whether the terminal is told to be one of UTF-8, as the system's tools find out.
@@ -34,20 +48,63 @@ bool takes_utf8() {
     return false;
 }
 
+bool takes_24_bits() {
+    const char* value = std::getenv("COLORTERM");
+    const std::string_view colours = value ? value : "";
+    return colours == "truecolor" || colours == "24bit";
+}
+
+/// By convention any value, but none, asks for no colours.
+bool takes_colours() {
+    const char* value = std::getenv("NO_COLOR");
+    return value == nullptr || *value == '\0';
+}
+
+void fit_to_terminal(lessons::StepperOptions& stepper) {
+    stepper.keyboard = STDIN_FILENO;
+    stepper.styled = takes_colours();
+    stepper.ascii = !takes_utf8();
+    stepper.show_inline = !stepper.ascii && stepper.styled;
+    if (takes_24_bits()) stepper.colours = viz::TerminalColours::direct;
+}
+
+/// Steps through the lesson from where the student left it, and remembers where she leaves it now.
+void resume(const lessons::Lesson& lesson, lessons::StepperOptions& stepper, bool from_start) {
+    const lessons::Bookmarks bookmarks = lessons::Bookmarks::of_user();
+    const int last = static_cast<int>(lesson.steps.size());
+    const int left = bookmarks.step(lesson.entry.slug);
+    if (from_start && left > 1 && left <= last) {
+        stepper.first_step = left;
+        std::cout << "You left at step " << left << "; g1 begins anew.\n";
+    }
+    int at = stepper.first_step;
+    stepper.arrived = [&at](int step) { at = step; };
+    const auto keep = [&] { bookmarks.keep(lesson.entry.slug, at == last ? 1 : at); };
+    try {
+        lessons::step_in_terminal(lesson, std::cin, std::cout, stepper);
+    } catch (const lod::Interrupted&) {
+        keep();
+        throw;
+    }
+    keep();
+}
+
 }  // namespace
 
 void run_lesson(const Options& options) {
-    if (!options.number) return print_lessons();
-    const lessons::Lesson lesson = lessons::run(*options.number);
+    if (options.lesson.empty()) return print_lessons();
+    const lessons::Lesson lesson = lessons::run(named_lesson(options.lesson).number);
     const bool on_terminal = ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1;
     lessons::StepperOptions stepper;
     if (!options.out.empty()) stepper.pictures = options.out.back();
     stepper.theme = theme_of(options);
-    stepper.styled = on_terminal;
-    stepper.ascii = on_terminal && !takes_utf8();
-    stepper.show_inline = on_terminal;
-    if (on_terminal) stepper.keyboard = STDIN_FILENO;
-    lessons::step_in_terminal(lesson, std::cin, std::cout, stepper);
+    stepper.first_step = options.step.value_or(1);
+    if (on_terminal) {
+        fit_to_terminal(stepper);
+        resume(lesson, stepper, !options.step);
+    } else {
+        lessons::step_in_terminal(lesson, std::cin, std::cout, stepper);
+    }
     print(std::string());  // checks that all of it went out
 }
 

@@ -23,6 +23,17 @@ std::vector<Entry> list() {
     return entries;
 }
 
+std::optional<Entry> find_lesson(const std::string& word) {
+    std::vector<Entry> holding;
+    for (Entry& entry : list()) {
+        if (entry.slug == word || std::to_string(entry.number) == word) return entry;
+        if (!word.empty() && entry.slug.find(word) != std::string::npos)
+            holding.push_back(std::move(entry));
+    }
+    if (holding.size() != 1) return {};
+    return holding.front();
+}
+
 Lesson run(int number) {
     const auto& all = embedded_lessons();
     const auto found = std::find_if(all.begin(), all.end(), [&](const EmbeddedLesson& lesson) {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -11,6 +13,7 @@
 #include "lessons/embed/script.hpp"
 #include "lessons/engine/questions/question.hpp"
 #include "lodlab/viz/figure/figure.hpp"
+#include "lodlab/viz/paint/blocks.hpp"
 #include "lodlab/viz/paint/options.hpp"
 
 namespace lessons {
@@ -100,6 +103,10 @@ void give(Lesson& lesson, const std::string& name, viz::Panel panel, const Heade
 /// reader has seen.
 void complete(Lesson& lesson);
 
+/// The lesson of that number or name; or the one whose name alone holds the word, as "impulse".
+/// Nothing where there is none, or more than one.
+[[nodiscard]] std::optional<Entry> find_lesson(const std::string& word);
+
 /// Runs a lesson's code and completes it. Throws lod::Error: usage for a number that no lesson has;
 /// input refused as `complete`.
 [[nodiscard]] Lesson run(int number);
@@ -111,16 +118,20 @@ struct StepperOptions {
     int keyboard = -1;    ///< a terminal to read single keys from; -1: lines from the input stream
     bool ascii = false;   ///< no other characters, for a terminal without UTF-8
     bool styled = false;  ///< bold and dim, for a terminal
-    bool show_inline = false;  ///< show each picture by `chafa`, where it is installed
-    int columns = 80;          ///< the text is broken into lines of at most so many characters
+    bool show_inline = false;  ///< show each picture: by `chafa`, where it is installed, else in
+                               ///< block characters
+    viz::TerminalColours colours = viz::TerminalColours::indexed;  ///< of these
+    int columns = 80;  ///< the text is broken into lines of at most so many characters
+    int rows = 24;     ///< of the terminal's window: the lesson's text comes by pages
     int first_step = 1;
+    std::function<void(int)> arrived;  ///< told the number of each step that is shown
 };
 
 /// Steps through a lesson: next (Enter, n, space, right), back (b, p, left), a number or g NUMBER
 /// (goto), t (the lesson's text), ? (help), q (quit). Prints what happens and why, and writes the
 /// picture of each step it comes to. A step's questions are asked below it: then a whole line is an
 /// answer, whatever it says, and commands begin with a colon (:p passes). The end of the input
-/// quits.
+/// quits. On a keyboard's terminal columns and rows are its window's, as that is at each step.
 /// Throws lod::Error: output failed where the pictures cannot be written, or would replace others.
 void step_in_terminal(const Lesson& lesson, std::istream& input, std::ostream& output,
                       const StepperOptions& options = {});

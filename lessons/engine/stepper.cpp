@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "lessons/engine/ascii.hpp"
+#include "lessons/engine/commands.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lessons/engine/plain.hpp"
 #include "lessons/engine/questions/answer_mode.hpp"
@@ -15,125 +16,14 @@
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/io/files/read_file.hpp"
+#include "lodlab/io/files/temporary_folder.hpp"
+#include "lodlab/viz/paint/blocks.hpp"
 #include "lodlab/viz/paint/write.hpp"
 
 namespace lessons {
 namespace {
 
-constexpr std::string_view help_text =
-    "Enter, n, space, right  next step\n"
-    "b, p, left              one step back\n"
-    "5 or g5                 go to step 5\n"
-    "t                       the text of the lesson\n"
-    "?                       this help\n"
-    "q                       quit\n";
-
-constexpr std::string_view answer_help =
-    "A number may have a decimal comma or point, and a unit or none; a choice is a letter.\n"
-    ":p   pass this question     :b   one step back     :5   go to step 5\n"
-    ":t   the lesson's text      :h   this help         :q   quit\n";
-
-struct Command {
-    enum class Kind { next, back, go, text, help, quit, pass, answer, unknown };
-    Kind kind = Kind::unknown;
-    int step = 0;       ///< of go
-    std::string typed;  ///< of unknown, and of answer
-};
-
-/// A whole line of input, as a pipe or a terminal in line mode gives it.
-Command parse_line(std::string line) {
-    while (!line.empty() && (line.back() == ' ' || line.back() == '\r')) line.pop_back();
-    while (!line.empty() && line.front() == ' ') line.erase(0, 1);
-    using Kind = Command::Kind;
-    if (line.empty() || line == "n" || line == "next" || line == "right" || line == "\033[C")
-        return {Kind::next, 0, {}};
-    if (line == "b" || line == "p" || line == "back" || line == "left" || line == "\033[D")
-        return {Kind::back, 0, {}};
-    if (line == "t") return {Kind::text, 0, {}};
-    if (line == "?" || line == "h" || line == "help") return {Kind::help, 0, {}};
-    if (line == "q" || line == "quit") return {Kind::quit, 0, {}};
-    std::string digits = line.starts_with("g") ? line.substr(1) : line;
-    while (!digits.empty() && digits.front() == ' ') digits.erase(0, 1);
-    constexpr std::size_t most_digits = 6;
-    if (!digits.empty() && digits.size() <= most_digits &&
-        digits.find_first_not_of("0123456789") == std::string::npos)
-        return {Kind::go, std::stoi(digits), {}};
-    return {Kind::unknown, 0, line};
-}
-
-/// A line typed to a question: an answer, or a command after a colon.
-Command parse_answer(const std::string& line) {
-    const std::size_t first = line.find_first_not_of(' ');
-    if (first == std::string::npos || line[first] != ':') return {Command::Kind::answer, 0, line};
-    const std::string word = line.substr(first + 1);
-    if (word == "p" || word == "p\r" || word == "pass") return {Command::Kind::pass, 0, {}};
-    if (word.empty() || word == "\r") return {Command::Kind::help, 0, {}};
-    return parse_line(word);
-}
-
-/// Single keys of a terminal; digits are gathered until Enter.
-Command read_command_from_keys(int terminal, std::ostream& output) {
-    std::string digits;
-    for (;;) {
-        const int key = read_key(terminal);
-        if (key < 0 || key == 4) return {Command::Kind::quit, 0, {}};  // 4: Ctrl-D
-        const char letter = static_cast<char>(key);
-        if ((letter >= '0' && letter <= '9') || (letter == 'g' && digits.empty())) {
-            digits += letter;
-            output << letter << std::flush;
-        } else if (key == 127 && !digits.empty()) {
-            digits.pop_back();
-            output << "\b \b" << std::flush;
-        } else if (letter == '\n' || letter == '\r') {
-            return parse_line(digits);
-        } else if (letter == ' ') {
-            return {Command::Kind::next, 0, {}};
-        } else if (key == 27) {
-            std::string sequence(1, letter);
-            while (sequence.size() < 3 && key_waiting(terminal))
-                sequence += static_cast<char>(read_key(terminal));
-            if (sequence[1 % sequence.size()] == 'O' && sequence.size() == 3) sequence[1] = '[';
-            return parse_line(sequence);
-        } else {
-            return parse_line(std::string(1, letter));
-        }
-    }
-}
-
-/// What the reader says next: a key, a line, or in answer to a question a whole line. Nothing at
-/// the end of the input.
-std::optional<Command> read_command(bool is_asking, std::istream& input, std::ostream& output,
-                                    int keyboard) {
-    if (keyboard >= 0 && !is_asking) return read_command_from_keys(keyboard, output);
-    std::optional<std::string> line;
-    if (keyboard >= 0)
-        line = read_line_from_keys(keyboard, output);
-    else if (std::string typed; std::getline(input, typed))
-        line = typed;
-    if (!line) return {};
-    if (is_asking) return parse_answer(*line);
-    const bool has_colon = line->starts_with(":") && *line != ":p";  // as in answer to a question
-    return parse_line(has_colon ? line->substr(1) : *line);
-}
-
-/// A folder that goes away again, for pictures that are only shown.
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "lodlab-XXXXXX").string();
-        if (mkdtemp(name.data())) path_ = name;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
+constexpr int least_columns = 20;  // of a window, however narrow it is
 
 bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code failed;
@@ -145,9 +35,10 @@ bool same_bytes(const std::filesystem::path& a, const std::filesystem::path& b) 
 class Stepper {
   public:
     Stepper(const Lesson& lesson, std::ostream& output, const StepperOptions& options)
-        : lesson_(lesson), output_(output), options_(options), answers_(lesson, output, options) {
+        : lesson_(lesson), output_(output), options_(options), answers_(lesson, output, options_) {
         if (options.show_inline) viewer_ = find_viewer();
-        if (!viewer_.empty() && options.pictures.empty()) shown_only_.emplace();
+        if (!viewer_.empty() && options.pictures.empty())
+            shown_only_.emplace("pictures that are shown");
         if (options.pictures.empty()) return;
         std::error_code failed;
         std::filesystem::create_directories(options.pictures, failed);
@@ -191,9 +82,9 @@ class Stepper {
                 answers_.pass(at_);
                 return true;
             case Command::Kind::text:
-                output_ << "\n"
-                        << text_for_terminal(lesson_, lesson_.text, options_.columns,
-                                             options_.styled);
+                output_ << "\n";
+                print_by_pages(
+                    text_for_terminal(lesson_, lesson_.text, options_.columns, options_.styled));
                 return true;
             case Command::Kind::help:
                 output_ << (is_asking() ? answer_help : help_text);
@@ -234,12 +125,8 @@ class Stepper {
             const std::filesystem::path there = options_.pictures / picture_name(number);
             std::error_code ignored;
             if (!std::filesystem::exists(std::filesystem::symlink_status(there, ignored))) continue;
-            const TemporaryFolder made;
-            if (made.path().empty())
-                throw lod::Error(lod::ErrorKind::output_failed,
-                                 "no temporary folder can be made to look at what stands in " +
-                                     options_.pictures.string() +
-                                     "; set TMPDIR, or choose an empty folder");
+            const lod::TemporaryFolder made("a look at what stands in " +
+                                            options_.pictures.string());
             const std::filesystem::path ours = made.path() / picture_name(number);
             write_picture(number, ours);
             if (!same_bytes(ours, there))
@@ -285,6 +172,8 @@ class Stepper {
             return;
         }
         at_ = number;
+        take_window();
+        if (options_.arrived) options_.arrived(number);
         const Step& step = lesson_.steps[static_cast<std::size_t>(number - 1)];
         output_ << "\n[" << number << "/" << last() << "] " << (options_.styled ? "\033[1m" : "")
                 << step.title << (options_.styled ? "\033[0m" : "") << "\n\n"
@@ -297,7 +186,34 @@ class Stepper {
         draw(number);
     }
 
+    void take_window() {
+        const std::optional<Window> window =
+            options_.keyboard >= 0 ? window_of(options_.keyboard) : std::nullopt;
+        if (!window) return;
+        options_.columns = std::max(window->columns, least_columns);
+        options_.rows = window->rows;
+    }
+
+    /// A long text, a window at a time.
+    void print_by_pages(const std::string& text) {
+        constexpr std::string_view more = "[space: more, q: enough] ";
+        const int page = std::max(options_.rows - 1, 2);
+        int lines = 0;
+        for (std::size_t begin = 0; begin < text.size();) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+            output_ << text.substr(begin, end - begin);
+            begin = end;
+            if (options_.keyboard < 0 || ++lines < page || begin == text.size()) continue;
+            output_ << more << std::flush;
+            const int key = read_key(options_.keyboard);
+            output_ << '\r' << std::string(more.size(), ' ') << '\r';
+            if (key < 0 || key == 'q' || key == 4) return;  // 4: Ctrl-D
+            lines = 0;
+        }
+    }
+
     void draw(int number) {
+        show_in_blocks(number);
         const std::filesystem::path folder = !options_.pictures.empty() ? options_.pictures
                                              : shown_only_              ? shown_only_->path()
                                                                         : std::filesystem::path();
@@ -306,15 +222,33 @@ class Stepper {
         write_picture(number, path);
         if (!options_.pictures.empty()) output_ << "\npicture: " << path.string() << "\n";
         output_ << std::flush;
-        constexpr int inline_rows = 30;
-        if (!viewer_.empty()) show_picture(viewer_, path, options_.columns, inline_rows);
+        if (!viewer_.empty()) show_picture(viewer_, path, options_.columns, picture_rows());
+    }
+
+    /// Where there is no viewer: the step's shapes, and in words what they are.
+    void show_in_blocks(int number) {
+        if (!options_.show_inline || !viewer_.empty()) return;
+        const Step& step = lesson_.steps[static_cast<std::size_t>(number - 1)];
+        const viz::Figure& figure = lesson_.figures.at(step.figure);
+        output_ << "\n"
+                << viz::block_text(figure, {.columns = options_.columns,
+                                            .rows = picture_rows(),
+                                            .theme = options_.theme,
+                                            .colours = options_.colours})
+                << text_for_terminal(lesson_, viz::plain_text(figure.alt), options_.columns, false);
+    }
+
+    [[nodiscard]] int picture_rows() const {
+        constexpr int most = 30;
+        constexpr int for_words = 4;
+        return std::clamp(options_.rows - for_words, 1, most);
     }
 
     const Lesson& lesson_;
     std::ostream& output_;
-    const StepperOptions& options_;
+    StepperOptions options_;
     std::filesystem::path viewer_;
-    std::optional<TemporaryFolder> shown_only_;
+    std::optional<lod::TemporaryFolder> shown_only_;
     AnswerMode answers_;
     const Question* asked_ = nullptr;  ///< the question that stands last on the screen
     int at_ = 1;

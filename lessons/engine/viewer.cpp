@@ -2,6 +2,7 @@
 
 #include <poll.h>
 #include <spawn.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <unistd.h>
@@ -72,6 +73,12 @@ int read_key(int terminal) {
         if (count == 1) return byte;
         if (count == 0 || errno != EINTR) return -1;
     }
+}
+
+std::optional<Window> window_of(int terminal) {
+    winsize size{};
+    if (ioctl(terminal, TIOCGWINSZ, &size) != 0 || size.ws_col == 0 || size.ws_row == 0) return {};
+    return Window{size.ws_col, size.ws_row};
 }
 
 bool key_waiting(int terminal) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace lessons {
@@ -31,6 +32,15 @@ class KeyboardMode {
 /// The next byte of a terminal, or -1 at its end. Throws lod::Interrupted when stop_requested is
 /// set.
 [[nodiscard]] int read_key(int terminal);
+
+/// What a terminal shows at a time.
+struct Window {
+    int columns = 0;
+    int rows = 0;
+};
+
+/// The size of a terminal's window; nothing where it does not say.
+[[nodiscard]] std::optional<Window> window_of(int terminal);
 
 /// Whether another byte follows at once: tells the Escape key from an arrow key's sequence.
 [[nodiscard]] bool key_waiting(int terminal);

@@ -15,6 +15,7 @@
 #include "lessons/exercises/wire.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/files/output_file.hpp"
+#include "lodlab/io/files/temporary_folder.hpp"
 
 namespace exercises {
 namespace {
@@ -25,6 +26,7 @@ constexpr double compile_seconds = 60;
 constexpr double answer_seconds = 2;  // of all cases, which take milliseconds
 constexpr std::size_t answer_memory = std::size_t{1} << 30;
 constexpr std::size_t most_shown = 3;
+constexpr const char* folder_for = "the compiler's work";
 
 fs::path in_path(const std::string& program) {
     if (program.find('/') != std::string::npos)
@@ -90,7 +92,7 @@ class Asking {
         lod::write_text_file(header, wire_text());
     }
 
-    TemporaryFolder folder_;
+    lod::TemporaryFolder folder_{folder_for};
     std::mutex mutex_;
     int attempts_ = 0;
 };
@@ -191,7 +193,7 @@ fs::path headers() {
 
 Attempt attempt(const Exercise& exercise, const std::string& code, std::span<const Case> cases,
                 const fs::path& folder) {
-    const TemporaryFolder work;
+    const lod::TemporaryFolder work(folder_for);
     const std::string file = exercise.words.name + ".cpp";
     lod::write_text_file(work.path() / file, code);
     lod::write_text_file(work.path() / "asking.cpp", program_of(exercise.words, file));

@@ -8,7 +8,6 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <thread>
 
@@ -109,22 +108,6 @@ ChildEnd run_child(const ChildCommand& command) {
         throw lod::Error(lod::ErrorKind::not_installed,
                          copies.front() + " cannot be started; install it again");
     return end;
-}
-
-TemporaryFolder::TemporaryFolder() {
-    std::error_code failed;
-    const std::filesystem::path around = std::filesystem::temp_directory_path(failed);
-    std::string name = (around / "lodlab-exercise-XXXXXX").string();
-    if (failed || ::mkdtemp(name.data()) == nullptr)
-        throw lod::Error(lod::ErrorKind::output_failed,
-                         "no folder can be made in " + around.string() +
-                             " for the compiler's work; set TMPDIR to one that can be written");
-    path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
 }
 
 }  // namespace exercises

@@ -25,18 +25,4 @@ struct ChildEnd {
 /// asked to end.
 [[nodiscard]] ChildEnd run_child(const ChildCommand& command);
 
-/// A folder for what lives no longer than this object.
-class TemporaryFolder {
-  public:
-    /// Throws lod::Error (output failed).
-    TemporaryFolder();
-    ~TemporaryFolder();
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  private:
-    std::filesystem::path path_;
-};
-
 }  // namespace exercises

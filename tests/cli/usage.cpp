@@ -78,7 +78,7 @@ TEST_CASE("numbers are decimal, and what is none is refused") {
     for (const char* number : {"-1", "1.5", "18446744073709551616"})
         check_misuse({"degrade", "--seed", number}, "--seed");
     check_misuse({"figure", "0x9"}, "N");
-    check_misuse({"lesson", "03"}, "N");
+    check_misuse({"lesson", "03"}, "no lesson 03");
     CHECK(lodlab({"tree", "box", "--depth", "+1", "--size", ".5e0"}).code == 0);
 }
 

@@ -8,6 +8,7 @@
 #include "lessons/engine/lessons.hpp"
 #include "lessons/exercises/compiler_errors.hpp"
 #include "lessons/exercises/judge.hpp"
+#include "lodlab/core/base/error.hpp"
 #include "tests/catch.hpp"
 
 using exercises::Attempt;

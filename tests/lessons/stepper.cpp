@@ -2,6 +2,7 @@
 #include <termios.h>
 #include <unistd.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -143,6 +144,58 @@ TEST_CASE("a picture of the reader's own is not replaced, one of the same lesson
         CHECK_THAT(error.what(), lodtest::contains("step_03.png: another picture has that name"));
     }
     CHECK(std::filesystem::file_size(third) == 4);
+}
+
+TEST_CASE("on a terminal a long text comes by windows, and q is enough of it", "[lessons]") {
+    int master = -1;
+    int terminal = -1;
+    winsize window{};
+    window.ws_col = 40;
+    window.ws_row = 6;
+    REQUIRE(openpty(&master, &terminal, nullptr, nullptr, &window) == 0);
+    Lesson lesson = three_steps();
+    for (int i = 1; i <= 20; ++i) lesson.text += "Paragraph " + std::to_string(i) + ".\n\n";
+    const std::string keys =
+        "t q"
+        "q";  // its text, one window more, enough; the end
+    REQUIRE(write(master, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
+    std::istringstream none;
+    std::ostringstream out;
+    StepperOptions options;
+    options.keyboard = terminal;
+    step_in_terminal(lesson, none, out, options);
+    close(terminal);
+    close(master);
+    CHECK_THAT(out.str(),
+               lodtest::contains("Paragraph 5."));  // five lines a window, every other blank
+    CHECK(out.str().find("Paragraph 6.") == std::string::npos);
+}
+
+TEST_CASE("text is as wide as the terminal's window", "[lessons]") {
+    for (const std::uint16_t columns : std::array<std::uint16_t, 2>{40, 60}) {
+        int master = -1;
+        int terminal = -1;
+        winsize window{};
+        window.ws_col = columns;
+        window.ws_row = 24;
+        REQUIRE(openpty(&master, &terminal, nullptr, nullptr, &window) == 0);
+        Lesson lesson = three_steps();
+        for (int i = 0; i < 40; ++i) lesson.steps[0].text += " word";
+        REQUIRE(write(master, "q", 1) == 1);
+        std::istringstream none;
+        std::ostringstream out;
+        StepperOptions options;
+        options.keyboard = terminal;
+        step_in_terminal(lesson, none, out, options);
+        close(terminal);
+        close(master);
+        std::istringstream lines(out.str());
+        std::size_t widest = 0;
+        for (std::string line; std::getline(lines, line);)
+            if (line.find("word word") != std::string::npos) widest = std::max(widest, line.size());
+        CHECK(widest <= columns);
+        CHECK(widest + 5 > columns);
+    }
 }
 
 TEST_CASE("a folder for pictures that cannot be made is refused", "[lessons]") {
