@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lodlab/viz/paint/clip.hpp"
+#include "lodlab/viz/paint/canvas/clip.hpp"
 
 namespace viz {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lodlab/viz/figure/camera.hpp"
-#include "lodlab/viz/paint/clip.hpp"
+#include "lodlab/viz/paint/canvas/clip.hpp"
 #include "lodlab/viz/paint/labels.hpp"
 
 namespace viz {

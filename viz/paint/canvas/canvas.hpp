@@ -60,7 +60,7 @@ struct Image {
 enum class PageFormat { image, svg, pdf, web };
 
 /// The drawing library behind a few primitives, in page units with y down. Every coordinate must
-/// be finite and near the page (viz/paint/clip.hpp). The same calls give the same bytes.
+/// be finite and near the page (viz/paint/canvas/clip.hpp). The same calls give the same bytes.
 class Canvas {
   public:
     /// One page unit is `scale` pixels (image; web: of what it holds of pixels), or the same page

@@ -1,4 +1,4 @@
-#include "lodlab/viz/paint/clip.hpp"
+#include "lodlab/viz/paint/canvas/clip.hpp"
 
 #include <algorithm>
 #include <array>
