@@ -12,15 +12,16 @@
 
 using namespace lessons;
 
-TEST_CASE("there are six lessons in the order in which they build on each other", "[lessons]") {
+TEST_CASE("there are seven lessons in the order in which they build on each other", "[lessons]") {
     const std::vector<Entry> all = list();
-    REQUIRE(all.size() == 6);
+    REQUIRE(all.size() == 7);
     CHECK(all[0].slug == "distance_test");
     CHECK(all[1].slug == "circle_tree");
     CHECK(all[2].slug == "traversal");
     CHECK(all[3].slug == "contact_and_impulse");
     CHECK(all[4].slug == "circles_to_spheres");
     CHECK(all[5].slug == "inertia");
+    CHECK(all[6].slug == "graceful_degradation");
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i].number == static_cast<int>(i) + 1);
 }
 
@@ -40,7 +41,7 @@ TEST_CASE("a lesson that does not exist is a usage error naming those that do", 
         FAIL("lesson 99 ran");
     } catch (const lod::Error& error) {
         CHECK(error.kind() == lod::ErrorKind::usage);
-        CHECK(std::string(error.what()).find("1 to 6") != std::string::npos);
+        CHECK(std::string(error.what()).find("1 to 7") != std::string::npos);
     }
 }
 
@@ -245,4 +246,33 @@ TEST_CASE("lesson 6: the crate's numbers are those worked out by hand, and the s
     CHECK(value("flips") >= 2);
     CHECK(value("wobble x") < 0.1);
     CHECK(value("wobble z") < 0.1);
+}
+
+TEST_CASE("lesson 7: levels push in time, across gaps within their bound, and the median falls",
+          "[lessons]") {
+    const Lesson lesson = run(7);
+    const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
+    for (const std::string level : {"0", "1", "2", "3", "4"})
+        CHECK(value("time " + level) <= value("time exact") + 1 / value("frames"));
+    for (int level = 1; level <= 4; ++level) {
+        const std::string now = std::to_string(level);
+        const std::string before = std::to_string(level - 1);
+        CHECK(value("time " + now) >= value("time " + before));
+        CHECK(value("line " + now) < value("line " + before));
+        CHECK(value("tests " + now) > value("tests " + before));
+        CHECK(value("hull " + now) < value("line " + now));
+        if (level < 4) CHECK(value("gap " + now) <= value("gap " + before));
+    }
+    CHECK(value("gap 1") <= value("bound"));
+    CHECK(value("bound") == Approx(value("e_a") + value("e_b")).epsilon(1e-12));
+    CHECK(value("gap 3") == 0);
+    // By hand from what the step shows.
+    CHECK(value("error by hand") == Approx(value("J difference") / value("J size")).epsilon(1e-12));
+    CHECK(value("error by hand") == Approx(value("error 2")).epsilon(1e-12));
+    CHECK(lesson.numbers.at("J level").value ==
+          Approx(value("m_b") * (value("v_b level") - value("v_b"))).epsilon(1e-12));
+    CHECK(value("error 1") > value("error 0"));
+    CHECK(value("error 3") < value("error 2"));
+    CHECK(value("no push") == 1);
+    CHECK(value("hull widest gap") > 0);
 }
