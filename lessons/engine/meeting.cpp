@@ -36,6 +36,21 @@ Meeting meeting_of(const std::string& a, const std::string& b, int depth) {
     return meeting;
 }
 
+Meeting L_and_U() {
+    constexpr double degree = 3.14159265358979323846 / 180;
+    Meeting meeting = meeting_of("L", "U", 4);
+    Body<2>& a = meeting.a.body;
+    Body<2>& b = meeting.b.body;
+    a.position = lod::Vector<2>(-1.1, 0);
+    a.orientation = 10 * degree;
+    a.velocity = lod::Vector<2>(1, 0);
+    a.spin[0] = 1;
+    b.position = lod::Vector<2>(1.1, 0.25);
+    b.orientation = 190 * degree;
+    b.velocity = lod::Vector<2>(-1, 0);
+    return meeting;
+}
+
 lod::FrameSettings down_to(int level, lod::ContactModel model, double time_step) {
     lod::FrameSettings settings;
     settings.time_step = time_step;

@@ -31,6 +31,10 @@ struct Meeting {
 /// Bodies of density 1 by the names of their shapes, at rest in the origin.
 [[nodiscard]] Meeting meeting_of(const std::string& a, const std::string& b, int depth);
 
+/// An L and a U with trees of levels 0 to 4, which meet after half a second: one scene for several
+/// lessons.
+[[nodiscard]] Meeting L_and_U();
+
 /// Frames that stop at a level.
 [[nodiscard]] lod::FrameSettings down_to(int level, lod::ContactModel model, double time_step);
 /// Frames that ask the true shapes and go back to their time of impact.

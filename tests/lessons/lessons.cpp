@@ -12,9 +12,9 @@
 
 using namespace lessons;
 
-TEST_CASE("there are seven lessons in the order in which they build on each other", "[lessons]") {
+TEST_CASE("there are eight lessons in the order in which they build on each other", "[lessons]") {
     const std::vector<Entry> all = list();
-    REQUIRE(all.size() == 7);
+    REQUIRE(all.size() == 8);
     CHECK(all[0].slug == "distance_test");
     CHECK(all[1].slug == "circle_tree");
     CHECK(all[2].slug == "traversal");
@@ -22,6 +22,7 @@ TEST_CASE("there are seven lessons in the order in which they build on each othe
     CHECK(all[4].slug == "circles_to_spheres");
     CHECK(all[5].slug == "inertia");
     CHECK(all[6].slug == "graceful_degradation");
+    CHECK(all[7].slug == "beside_box2d");
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i].number == static_cast<int>(i) + 1);
 }
 
@@ -41,7 +42,7 @@ TEST_CASE("a lesson that does not exist is a usage error naming those that do", 
         FAIL("lesson 99 ran");
     } catch (const lod::Error& error) {
         CHECK(error.kind() == lod::ErrorKind::usage);
-        CHECK(std::string(error.what()).find("1 to 7") != std::string::npos);
+        CHECK(std::string(error.what()).find("1 to 8") != std::string::npos);
     }
 }
 
@@ -275,4 +276,37 @@ TEST_CASE("lesson 7: levels push in time, across gaps within their bound, and th
     CHECK(value("error 3") < value("error 2"));
     CHECK(value("no push") == 1);
     CHECK(value("hull widest gap") > 0);
+}
+
+TEST_CASE("lesson 8: two programs agree on one impact, and differ by skin, step and law",
+          "[lessons]") {
+    const Lesson lesson = run(8);
+    const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
+    // Two unit boxes with levers of 0.2 m, closing at 2 m/s.
+    CHECK(value("K") == Approx(2 + 2 * 0.04 * 6).epsilon(1e-12));
+    CHECK(value("j") == Approx(4 / 2.48).epsilon(1e-12));
+    CHECK(value("spin") == Approx(0.2 * 6 * 4 / 2.48).epsilon(1e-12));
+    CHECK(value("j difference") < 1e-6);
+    // Two skins, less what a step of 1/960 s covers at 2 m/s; without skins worth a step, no gap.
+    CHECK(value("gap") <= 2.0001);
+    CHECK(value("gap") > 2 - 200.0 / 960);
+    CHECK(value("small gap") < 200.0 / 960);
+    CHECK(value("way") == Approx(200.0 / 60).epsilon(1e-12));
+    for (const std::string program : {"lodlab", "Box2D"}) {
+        CHECK(value(program + " 60") / value(program + " 960") > 10);
+        CHECK(value(program + " 60") / value(program + " 960") < 40);
+    }
+    CHECK(value("lodlab 60") < value("Box2D 60"));
+    CHECK(value("lodlab 960") > value("Box2D 960"));
+    CHECK(value("net 3") == Approx(1).epsilon(1e-12));
+    CHECK(value("net 2") == Approx(0).margin(1e-12));
+    CHECK(value("box2d 1") == Approx(-1.0 / 3).epsilon(1e-6));
+    CHECK(value("box2d 3") == Approx(2.0 / 3).epsilon(1e-6));
+    CHECK(value("law apart") < 1e-6);
+    CHECK(value("energy lodlab") == Approx(0.5).epsilon(1e-12));
+    CHECK(value("energy box2d") == Approx(0.5).epsilon(1e-6));
+    CHECK(value("error leaves") < 0.01);
+    CHECK(value("error box2d") < 0.01);
+    CHECK(value("error level 1") > 10);
+    CHECK(value("finer 3") > 10 * value("finer 2"));
 }

@@ -7,7 +7,6 @@ namespace lessons {
 namespace degradation {
 namespace {
 
-using lod::Body;
 using Collision = measure::Collision<2>;
 using Vec = lod::Vector<2>;
 
@@ -18,7 +17,7 @@ constexpr double impulse_length = 0.55;   // metres of arrow for a newton second
 
 /// An L and a U that meet once, as every level answers it.
 struct Scene {
-    Meeting meeting = meeting_of("L", "U", depth);
+    Meeting meeting = L_and_U();
     std::vector<Collision> levels;
     Collision exact;
     viz::Box near = box(-0.86, -0.72, 0.94, 0.92);  ///< where they meet
@@ -29,17 +28,7 @@ lod::FrameSettings at_level(int level) {
 }
 
 Scene make_scene() {
-    constexpr double degree = 3.14159265358979323846 / 180;
     Scene scene;
-    Body<2>& a = scene.meeting.a.body;
-    Body<2>& b = scene.meeting.b.body;
-    a.position = Vec(-1.1, 0);
-    a.orientation = 10 * degree;
-    a.velocity = Vec(1, 0);
-    a.spin[0] = 1;
-    b.position = Vec(1.1, 0.25);
-    b.orientation = 190 * degree;
-    b.velocity = Vec(-1, 0);
     for (int level = 0; level <= depth; ++level)
         scene.levels.push_back(collision_of(scene.meeting, at_level(level), seconds));
     scene.exact = exact_collision_of(scene.meeting, seconds);
