@@ -12,9 +12,9 @@
 
 using namespace lessons;
 
-TEST_CASE("there are eight lessons in the order in which they build on each other", "[lessons]") {
+TEST_CASE("there are nine lessons in the order in which they build on each other", "[lessons]") {
     const std::vector<Entry> all = list();
-    REQUIRE(all.size() == 8);
+    REQUIRE(all.size() == 9);
     CHECK(all[0].slug == "distance_test");
     CHECK(all[1].slug == "circle_tree");
     CHECK(all[2].slug == "traversal");
@@ -23,6 +23,7 @@ TEST_CASE("there are eight lessons in the order in which they build on each othe
     CHECK(all[5].slug == "inertia");
     CHECK(all[6].slug == "graceful_degradation");
     CHECK(all[7].slug == "beside_box2d");
+    CHECK(all[8].slug == "too_early");
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i].number == static_cast<int>(i) + 1);
 }
 
@@ -42,7 +43,7 @@ TEST_CASE("a lesson that does not exist is a usage error naming those that do", 
         FAIL("lesson 99 ran");
     } catch (const lod::Error& error) {
         CHECK(error.kind() == lod::ErrorKind::usage);
-        CHECK(std::string(error.what()).find("1 to 8") != std::string::npos);
+        CHECK(std::string(error.what()).find("1 to 9") != std::string::npos);
     }
 }
 
@@ -309,4 +310,33 @@ TEST_CASE("lesson 8: two programs agree on one impact, and differ by skin, step 
     CHECK(value("error box2d") < 0.01);
     CHECK(value("error level 1") > 10);
     CHECK(value("finer 3") > 10 * value("finer 2"));
+}
+
+TEST_CASE("lesson 9: circles are early at every level, and half a crowd's budget errs little",
+          "[lessons]") {
+    const Lesson lesson = run(9);
+    const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
+    const double up = value("up");
+    const double reach = value("reach");
+    CHECK(value("touch by hand") ==
+          Approx((value("across") - std::sqrt(reach * reach - up * up)) / value("speed"))
+              .epsilon(1e-12));
+    CHECK(value("touch") == Approx(value("touch by hand")).epsilon(1e-6));
+    CHECK(value("least gap") > 0);
+    CHECK(value("gap") >= value("least gap"));
+    for (int level = 0; level <= 4; ++level) CHECK(value("early " + std::to_string(level)) > 0);
+    for (int level = 1; level <= 4; ++level)
+        CHECK(value("early " + std::to_string(level)) <
+              value("early " + std::to_string(level - 1)));
+    CHECK(value("fastest") == Approx(value("closing") + value("L spin") * value("arm")));
+    CHECK(value("safe") == Approx(value("start gap") / value("fastest")).epsilon(1e-12));
+    CHECK(value("safe") < value("impact"));
+    CHECK(value("rounds") > 1);
+    CHECK(value("last distance") < 1e-8);
+    // The quota is kept, and nobody is left out.
+    CHECK(value("spent") <= value("quota"));
+    CHECK(value("least") >= 0);
+    CHECK(value("half error") < value("tenth error"));
+    CHECK(value("tenth error") < value("least error"));
+    CHECK(value("least error") < 100);
 }
