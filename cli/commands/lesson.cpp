@@ -8,7 +8,7 @@
 #include "cli/arguments/misused.hpp"
 #include "cli/stage/pictures.hpp"
 #include "cli/terminal/output.hpp"
-#include "lessons/engine/bookmarks.hpp"
+#include "lessons/engine/terminal/bookmarks.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"

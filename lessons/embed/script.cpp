@@ -146,10 +146,15 @@ class Reader {
         keep("");
     }
 
-    /// Words below a tag, which hold numbers and no other tag.
+    /// Whether a tag stands within a sentence.
+    [[nodiscard]] static bool is_in_sentence(const Tag& tag) {
+        return tag.kind == "number" || tag.kind == "lesson";
+    }
+
+    /// Words below a tag, which hold words alone.
     void check_words(const KeyText& said) const {
         for (const Tag& tag : find_tags(said.text, where_, said.line - 1))
-            if (tag.kind != "number")
+            if (!is_in_sentence(tag))
                 refuse_line(where_, said.line, "a " + tag.kind + " stands on a line of its own");
     }
 
@@ -160,7 +165,7 @@ class Reader {
                             "a shown number stands on a line of its own, in a step");
         for (const StepScript& step : script_.steps)
             for (const Tag& tag : find_tags(step.text, where_, step.line))
-                if (tag.kind != "number" && tag.kind != "listing")
+                if (!is_in_sentence(tag) && tag.kind != "listing")
                     refuse_line(where_, step.line + line_of(step.text, tag.begin),
                                 std::string("a ") + (tag.kind == "ask" ? "question" : tag.kind) +
                                     " stands on a line of its own");

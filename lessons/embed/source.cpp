@@ -85,8 +85,8 @@ Format read_format(std::string_view text) {
 
 namespace {
 
-constexpr std::array<std::string_view, 7> kinds{"listing", "figure", "number", "shown",
-                                                "ask",     "steps",  "video"};
+constexpr std::array<std::string_view, 8> kinds{"listing", "figure", "number", "shown",
+                                                "ask",     "lesson", "steps",  "video"};
 
 /// The tag between the braces, or why it is none.
 Tag read_tag(std::string_view inside, const std::string& where, int line) {
@@ -95,9 +95,9 @@ Tag read_tag(std::string_view inside, const std::string& where, int line) {
     tag.kind = trimmed(inside.substr(0, colon));
     if (colon != std::string_view::npos) tag.name = trimmed(inside.substr(colon + 1));
     if (std::find(kinds.begin(), kinds.end(), tag.kind) == kinds.end())
-        refuse_line(
-            where, line,
-            "unknown kind '" + tag.kind + "'; use listing, figure, number, shown, ask or video");
+        refuse_line(where, line,
+                    "unknown kind '" + tag.kind +
+                        "'; use listing, figure, number, shown, ask, lesson or video");
     if (tag.kind == "shown") {
         const std::size_t sign = tag.name.find('=');
         if (sign == std::string::npos)

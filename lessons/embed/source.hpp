@@ -32,6 +32,7 @@ struct Format {
 ///     {{number: NAME | FORMAT}}    a number that the code gives
 ///     {{shown: TOLD = NAME | FORMAT}}   the same, in the list below a step
 ///     {{ask: NAME}}                a question to the reader, on a line of its own in a step
+///     {{lesson: NAME}}             another lesson: "lesson 3"
 ///     {{video}}                    the lesson's video, on a line of its own
 ///
 /// and {{steps}}, which read_script puts in the place of the steps.

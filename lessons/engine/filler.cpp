@@ -15,6 +15,8 @@ std::string Filler::fill(const std::string& text, int lines_before) {
         done = tag.end;
         if (tag.kind == "number")
             filled += number(tag.name, tag.format, line);
+        else if (tag.kind == "lesson")
+            filled += lesson(tag.name, line);
         else
             filled += text.substr(tag.begin, tag.end - tag.begin);
         if (tag.kind == "listing")
@@ -24,6 +26,15 @@ std::string Filler::fill(const std::string& text, int lines_before) {
             refuse_line(where(), line, "the lesson's code gives no video");
     }
     return filled + text.substr(done);
+}
+
+std::string Filler::lesson(const std::string& name, int line) const {
+    std::string names;
+    for (const Entry& entry : list()) {
+        if (entry.slug == name) return "lesson " + std::to_string(entry.number);
+        names += (names.empty() ? "" : ", ") + entry.slug;
+    }
+    refuse_line(where(), line, "no lesson '" + name + "'; there are: " + names);
 }
 
 const Number& Filler::use_number(const std::string& name, int line) {

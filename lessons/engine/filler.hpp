@@ -31,10 +31,13 @@ class Filler {
   public:
     explicit Filler(const Lesson& lesson) : lesson_(lesson) {}
 
-    /// A text that begins after `lines_before` lines, its numbers filled in; other tags stay.
+    /// A text that begins after `lines_before` lines, its numbers of its own and of lessons filled
+    /// in; other tags stay.
     std::string fill(const std::string& text, int lines_before);
     std::string fill(const KeyText& words) { return fill(words.text, words.line - 1); }
 
+    /// "lesson 3", by its name.
+    [[nodiscard]] std::string lesson(const std::string& name, int line) const;
     /// A number of the lesson, which is used by this.
     const Number& use_number(const std::string& name, int line);
     std::string number(const std::string& name, const std::string& format, int line);

@@ -1,4 +1,4 @@
-#include "lessons/engine/bookmarks.hpp"
+#include "lessons/engine/terminal/bookmarks.hpp"
 
 #include <fstream>
 

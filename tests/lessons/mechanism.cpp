@@ -200,6 +200,21 @@ TEST_CASE("a tag of an unknown kind is refused with its line", "[lessons]") {
     CHECK(says(why, "picture"));
 }
 
+TEST_CASE("another lesson is told by its number, and one that is not there with its line",
+          "[lessons]") {
+    const auto with_text = [](const std::string& text) {
+        Lesson lesson;
+        lesson.script = read_script("# Title\n\n" + text + "\n", "lesson.md");
+        complete(lesson);
+        return lesson.text;
+    };
+    const std::string number = std::to_string(find_lesson("traversal")->number);
+    CHECK(says(with_text("As in {{lesson: traversal}}, it goes down."),
+               "As in lesson " + number + ", it"));
+    const std::string why = complaint([&] { (void)with_text("As in {{lesson: nowhere}}."); });
+    CHECK(says(why, "lesson.md:3: no lesson 'nowhere'; there are: distance_test, "));
+}
+
 TEST_CASE("a tag that is not closed or lacks its name is refused", "[lessons]") {
     CHECK(says(complaint([] { (void)find_tags("{{figure: x", "t"); }), "not closed"));
     CHECK(says(complaint([] { (void)find_tags("{{figure}}", "t"); }), "needs a name"));

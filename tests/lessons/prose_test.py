@@ -1,5 +1,5 @@
 """A lesson's words stand in its lesson.md alone. Reads every .cpp of lessons/course and fails on a literal that
-is a sentence, and on a lesson with more code than a reader can follow.
+is a sentence, on a lesson with more code than a reader can follow, and on a number of a lesson that is typed.
 
 Usage: prose_test.py SOURCE    exits 0 when all is well, 1 with a line for each fault
 """
@@ -12,6 +12,7 @@ MOST_LINES = 530  # of all .cpp of a lesson
 FEWEST_WORDS = 7  # of a sentence without a full stop
 
 LITERALS = re.compile(r'"(?:\\.|[^"\\\n])*"(?:\s*"(?:\\.|[^"\\\n])*")*')
+TYPED = re.compile(r"\blessons? \d", re.I)
 
 
 def words_of(text):
@@ -45,6 +46,11 @@ def main(source):
         if lines > MOST_LINES:
             faults.append(f"{folder.relative_to(source)}: {lines} lines of code, at most {MOST_LINES}; "
                           "share what it draws in lessons/engine")
+        for line, text in enumerate((folder / "lesson.md").read_text().splitlines(), 1):
+            if TYPED.search(text):
+                faults.append(f"{folder.relative_to(source)}/lesson.md:{line}: types the number of a lesson; "
+                              "write {{lesson: NAME}}")
+    assert TYPED.search("as in Lesson 4,") and not TYPED.search("this lesson. 4 of them")
     assert is_sentence("They meet. Do they?") and is_sentence("the circles of every level of a tree")
     assert not is_sentence("where they come nearest") and not is_sentence("1.5 m/s")
     assert list(literals_of('a("one "\n  "two"); // "three"')) == [(1, "one two")]

@@ -5,7 +5,7 @@
 
 #include "lessons/embed/lines.hpp"
 #include "lessons/engine/plain.hpp"
-#include "lessons/engine/viewer.hpp"
+#include "lessons/engine/terminal/viewer.hpp"
 
 namespace lessons {
 

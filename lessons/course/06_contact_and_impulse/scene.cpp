@@ -1,0 +1,82 @@
+#include "lessons/course/06_contact_and_impulse/lesson.hpp"
+
+#include <algorithm>
+
+#include "lodlab/core/tree/traversal.hpp"
+#include "lodlab/lod2d/shape/generators.hpp"
+#include "lodlab/lod2d/shape/overlap.hpp"
+#include "lodlab/viz/draw/motion/draw_motion.hpp"
+
+namespace lessons::impact {
+
+using lod::Body;
+using lod::Sphere;
+using Vec = lod::Vector<2>;
+
+Scene make_scene() {
+    constexpr int depth = 4;
+    constexpr int level = 2;
+    const lod2d::Shape gear = scaled(lod2d::generate("gear:9"), 2);
+    const lod2d::Shape star = scaled(lod2d::generate("star:5"), 1.3);
+    Scene scene;
+    scene.level = level;
+    scene.gear = actor("gear", gear, tree_of(gear, depth));
+    scene.star = actor("star", star, tree_of(star, depth));
+    scene.gear.body.velocity = Vec(0.6, 0.1);
+    scene.gear.body.spin[0] = 0.5;
+    scene.star.body.velocity = Vec(-0.7, -0.2);
+    scene.star.body.spin[0] = -1.2;
+    scene.star.body.orientation = 0.5;
+    double distance = 3;  // then nearer, until a single pair of nodes of the level overlaps well
+    std::vector<lod::Front> fronts;
+    do {
+        distance -= 0.01;
+        scene.star.body.position = distance * Vec(0.96, 0.28);
+        fronts = lod::traverse_levels<2>(scene.gear.body, scene.star.body, level);
+    } while (fronts.back().pairs.empty());
+    scene.star.body.position = (distance - 0.06) * Vec(0.96, 0.28);
+    fronts = lod::traverse_levels<2>(scene.gear.body, scene.star.body, level);
+    for (const lod::NodePair& pair : fronts.back().pairs) {
+        const Sphere<2> a = viz::carried_node(scene.gear.body, pair.a);
+        const Sphere<2> b = viz::carried_node(scene.star.body, pair.b);
+        const auto contact = lod::model_contact<2>(a, b);
+        if (!contact || contact->depth < scene.contact.depth) continue;
+        scene.contact = *contact;
+        scene.node_a = a;
+        scene.node_b = b;
+    }
+    scene.gap =
+        lod2d::distance(outline_of(gear, scene.gear.body), outline_of(star, scene.star.body));
+    scene.view = box(-1.05, -1.1, 2.25, 1.1);
+    return scene;
+}
+
+void animate(Lesson& lesson, const Scene& start) {
+    constexpr double back = 0.9;  // [s] before the contact
+    constexpr double time_step = 1.0 / 120;
+    constexpr int frames = 264;
+    lod::FrameSettings settings;
+    settings.time_step = time_step;
+    settings.deepest_level = start.level;
+    lod::FrameStorage<2> storage;
+    std::vector<Body<2>> bodies{start.gear.body, start.star.body};
+    for (Body<2>& body : bodies) {
+        body.position -= back * body.velocity;
+        body.orientation -= back * body.spin[0];
+    }
+    viz::Run<2> run;
+    run.name = video_words(lesson, "run");
+    run.visuals = {start.gear.visual, start.star.visual};
+    run.time_step = time_step;
+    for (int i = 0; i < frames; ++i) {
+        const std::vector<Body<2>> now = bodies;
+        lod::Budget budget = lod::Budget::unlimited();
+        viz::add_instant(run, now, lod::advance<2>(bodies, settings, budget, storage));
+    }
+    viz::ImpactMotion motion;
+    motion.seconds = 3;
+    motion.title = video_words(lesson, "title");
+    lesson.animation = viz::impact_motion<2>({run}, motion);
+}
+
+}  // namespace lessons::impact
