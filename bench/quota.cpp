@@ -1,7 +1,8 @@
 // Whether a frame's quota on the clock is kept, in crowds.
 // Usage: bench_quota [MILLISECONDS [CROWD ...]]   1; implode:1000 implode:5000 rain:1000 rain:5000
 // The clock is the thread's own processor time. Frames in which the operating system took the
-// processor away (ru_nivcsw) are counted apart.
+// processor away (ru_nivcsw) are counted apart. Beside all frames stand those that the quota cut:
+// the others take what they need, which is less.
 
 #include <algorithm>
 #include <cstdio>
@@ -27,10 +28,14 @@ double at(std::vector<double> values, double share) {
 
 struct Frames {
     std::vector<double> microseconds;  ///< of each that kept the processor
+    std::vector<double> cut;           ///< of them, those that the quota cut
     int preempted = 0;
     int interrupted = 0;
     double levels = 0;  ///< of pairs that were not told apart, in all frames
     double pairs = 0;
+    double meeting = 0;   ///< pairs whose root balls meet
+    double by_roots = 0;  ///< those of them that touched as these do
+    int ended = 0;        ///< frames whose contacts or response the clock ended
 };
 
 /// The frames of a run, each within the quota; without one (0), as long as they take.
@@ -52,10 +57,15 @@ Frames run(std::vector<lod::Body<Dim>> bodies, const lod::FrameSettings& setting
         const lod::LevelsReached reached = record.levels_reached();
         result.levels += reached.mean * static_cast<double>(reached.pairs);
         result.pairs += static_cast<double>(reached.pairs);
-        if (bench::preemptions() != before)
+        result.meeting += static_cast<double>(storage.fronts.meeting);
+        result.by_roots += static_cast<double>(record.spending.levels.by_roots);
+        result.ended += record.cut && (record.cut->modelled || record.cut->rounds) ? 1 : 0;
+        if (bench::preemptions() != before) {
             ++result.preempted;
-        else if (frame > 0)  // the first one allocates
+        } else if (frame > 0) {  // the first one allocates
             result.microseconds.push_back(1e-3 * static_cast<double>(taken.count()));
+            if (record.interrupted()) result.cut.push_back(result.microseconds.back());
+        }
     }
     return result;
 }
@@ -75,9 +85,12 @@ void measure(const scenes::Scene& scene, const std::string& spec, double millise
         std::printf("%-14s %-10s median %9.1f us, most %9.1f (x %.2f)", spec.c_str(),
                     limit.count() == 0 ? "no quota" : "quota", median, most, most / median);
         if (limit.count() > 0)
-            std::printf(", overrun median %.2f us, 99 %% %.2f, most %.2f; cut %d of %d",
-                        at(overrun, 0.5), at(overrun, 0.99), at(overrun, 1), found.interrupted,
-                        frames);
+            std::printf(
+                ", overrun median %.2f us, 99 %% %.2f, most %.2f; cut %d of %d, median %.1f, most "
+                "x %.2f; %.0f %% by roots, %d ended",
+                at(overrun, 0.5), at(overrun, 0.99), at(overrun, 1), found.interrupted, frames,
+                at(found.cut, 0.5), at(found.cut, 1) / std::max(1.0, at(found.cut, 0.5)),
+                100 * found.by_roots / std::max(1.0, found.meeting), found.ended);
         std::printf("; level %.2f; %d preempted\n", found.levels / std::max(1.0, found.pairs),
                     found.preempted);
     }

@@ -123,7 +123,8 @@ class InterruptedCrowd {
             const bool within = look(lod::Budget::until(cuts_[cut]), "within a level", cut);
             checked_.within_levels += within ? 1 : 0;
         });
-        for (const int quota : {1, 2, 4, 8, 16, 32}) interrupt_on_clock(quota);
+        for (const int quota : {1, 2, 4, 8, 16, 32})
+            for (const int reserved : {0, 250}) interrupt_on_clock(quota, reserved);
     }
 
     [[nodiscard]] const Checked& checked() const { return checked_; }
@@ -135,12 +136,14 @@ class InterruptedCrowd {
         for (std::uint64_t k = round_ * 7 % stride; k < all; k += stride) at_point(k);
     }
 
-    /// At every look at a clock; the first look tells when the frame begins.
-    void interrupt_on_clock(int microseconds) {
+    /// At every look at a clock; the first look tells when the frame begins. Where time is reserved
+    /// [ns a node pair], entry levels and contacts end on it, too.
+    void interrupt_on_clock(int microseconds, int reserved) {
         for (int leap = 2; leap < 2 + static_cast<int>(most_); ++leap) {
             const LeapingClock clock(leap);
             const bool cut =
-                look(lod::Budget::deadline(clock, std::chrono::microseconds(microseconds)),
+                look(lod::Budget::deadline(clock, std::chrono::microseconds(microseconds),
+                                           std::chrono::nanoseconds(reserved)),
                      "by clock", static_cast<std::uint64_t>(leap));
             checked_.by_clock += cut ? 1 : 0;
             if (!clock.leapt()) break;

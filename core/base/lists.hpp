@@ -37,4 +37,28 @@ void refill(std::vector<T>& list, std::size_t size, const T& value) {
     std::fill(list.begin(), list.end(), value);
 }
 
+/// Asks for an object that will be needed soon.
+template <class T>
+void prefetch(const T& object) {
+#if defined(__GNUC__)
+    constexpr std::size_t line = 64;
+    const auto* const bytes = reinterpret_cast<const char*>(&object);
+    for (std::size_t i = 0; i < sizeof(T); i += line) __builtin_prefetch(bytes + i);
+    __builtin_prefetch(bytes + sizeof(T) - 1);
+#else
+    (void)object;
+#endif
+}
+
+/// Calls visit(number, place) for each number of a list, and fetch(number) some numbers before:
+/// where it stands for things that lie far apart.
+template <class Fetch, class Visit>
+void each_fetched(std::span<const std::int32_t> list, const Fetch& fetch, const Visit& visit) {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (i + ahead < list.size()) fetch(list[i + ahead]);
+        visit(list[i], i);
+    }
+}
+
 }  // namespace lod

@@ -259,9 +259,23 @@ std::vector<Contact<Dim>> contacts_of_front(const Body<Dim>& a, const Body<Dim>&
     return contacts;
 }
 
-#define LOD_INSTANTIATE(Dim)                              \
-    template class FrontContacts<Dim>;                    \
-    template std::vector<Contact<Dim>> contacts_of_front( \
+template <int Dim>
+std::optional<Contact<Dim>> root_contact(const PosedTree<Dim>& a, const PosedTree<Dim>& b) {
+    if (a.is_half_space())
+        return model_border_contact(b.root(), a.half_space(), true,
+                                    PointModel::plane_of_intersection);
+    if (b.is_half_space())
+        return model_border_contact(a.root(), b.half_space(), false,
+                                    PointModel::plane_of_intersection);
+    return model_contact<Dim>(a.root(), b.root(), PointModel::radius_ratio,
+                              b.position() - a.position());
+}
+
+#define LOD_INSTANTIATE(Dim)                                                  \
+    template class FrontContacts<Dim>;                                        \
+    template std::optional<Contact<Dim>> root_contact(const PosedTree<Dim>&,  \
+                                                      const PosedTree<Dim>&); \
+    template std::vector<Contact<Dim>> contacts_of_front(                     \
         const Body<Dim>&, const Body<Dim>&, const Front&, const ContactChoice&, double);
 LOD_INSTANTIATE(2)
 LOD_INSTANTIATE(3)

@@ -118,6 +118,12 @@ class FrontContacts {
     std::vector<Patch> patches_;        ///< of each root
 };
 
+/// The contact of two bodies as that of their root balls, or of one and a half-space: where there
+/// is no time for hulls. Nothing where rounding alone makes them meet.
+template <int Dim>
+[[nodiscard]] std::optional<Contact<Dim>> root_contact(const PosedTree<Dim>& a,
+                                                       const PosedTree<Dim>& b);
+
 /// The contacts of two bodies' front, for pictures, lessons and oracles. `time_step` is the frame's
 /// (see meet); 0: as the bodies stand, wherever they come from.
 template <int Dim>

@@ -1,11 +1,27 @@
 #include "lodlab/core/frame/broad_phase.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "lodlab/core/base/lists.hpp"
 
 namespace lod {
+namespace {
+
+/// Whether a ball is beyond a border by its box alone: most are. What rounding does to the middle,
+/// its side and the radius is a few units of the coordinates; `rounding` is the border's.
+template <int Dim>
+bool is_surely_beyond(const HalfSpace<Dim>& border, double rounding, const Box<Dim>& box) {
+    constexpr double share = 64 * std::numeric_limits<double>::epsilon();
+    const Vector<Dim> middle = box.centre();
+    const double radius = 0.5 * (box.high[0] - box.low[0]);
+    const double size = middle.cwiseAbs().maxCoeff() + radius + std::abs(border.offset);
+    return border.side(middle) > radius + 2 * rounding + share * size;
+}
+
+}  // namespace
 
 template <int Dim>
 void BroadPhase<Dim>::find(std::span<const Body<Dim>> bodies,
@@ -74,6 +90,7 @@ void BroadPhase<Dim>::meet_half_spaces(std::span<const BodyBox<Dim>> movers,
         const HalfSpace<Dim> border = world_S[at(wall)].half_space();
         const double rounding = world_S[at(wall)].rounding();
         for (const BodyBox<Dim>& mover : movers) {
+            if (is_surely_beyond(border, rounding, mover.box)) continue;
             const PosedTree<Dim>& world = world_S[at(mover.body)];
             const double slack = 2 * (rounding + world.rounding());
             if (border.side(world.root().centre) > world.root().radius + slack) continue;

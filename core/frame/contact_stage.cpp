@@ -12,6 +12,9 @@ constexpr std::int32_t as_number(std::size_t i) {
     return static_cast<std::int32_t>(i);
 }
 
+constexpr NodePair roots;
+constexpr std::size_t pairs_unlooked = 8;  ///< between two looks at the clock
+
 /// Copies a part of one list into another.
 template <class T>
 void copy_part(const std::vector<T>& from, std::size_t first, std::size_t count, std::vector<T>& to,
@@ -30,24 +33,35 @@ void ContactStage<Dim>::Lists::clear() const {
 }
 
 template <int Dim>
-void ContactStage<Dim>::model(const ContactTask<Dim>& task, Executor* executor,
-                              FrameRecord<Dim>& record) {
+std::optional<std::uint64_t> ContactStage<Dim>::model(const ContactTask<Dim>& task,
+                                                      Executor* executor,
+                                                      FrameRecord<Dim>& record) {
     workers_.resize(workers_of(executor));
     record.pairs.resize(task.pairs.size());
-    if (parts_of(executor, task.pairs.size(), pairs_of_a_part) > 1)
-        return model_in_parts(task, *executor, record);
-    const Lists all{record.node_pairs, record.impacts, record.contact_nodes};
-    all.clear();
-    model_pairs(task, {0, task.pairs.size()}, workers_.front(), all, record.pairs);
+    end_ = static_cast<std::size_t>(
+        std::min<std::uint64_t>(task.budget.most_modelled(), task.pairs.size()));
+    if (parts_of(executor, task.pairs.size(), pairs_of_a_part) > 1) {
+        model_in_parts(task, *executor, record);
+    } else {
+        const Lists all{record.node_pairs, record.impacts, record.contact_nodes};
+        all.clear();
+        end_ = model_pairs(task, {0, task.pairs.size()}, all, record.pairs);
+    }
+    return end_ < task.pairs.size() ? std::optional<std::uint64_t>(end_) : std::nullopt;
 }
 
-/// Appends the contacts of some pairs.
+/// Appends the contacts of some pairs. Returns the first that is left to its roots, or the last
+/// one's successor.
 template <int Dim>
-void ContactStage<Dim>::model_pairs(const ContactTask<Dim>& task, const Part& part, Worker& worker,
-                                    const Lists& lists, std::vector<PairRecord>& pairs) {
+std::size_t ContactStage<Dim>::model_pairs(const ContactTask<Dim>& task, const Part& part,
+                                           const Lists& lists, std::vector<PairRecord>& pairs) {
+    Worker& worker = workers_[part.worker];
     auto finest = std::lower_bound(
         task.true_shapes.begin(), task.true_shapes.end(), as_number(part.begin),
         [](const FinestPair<Dim>& pair, std::int32_t first) { return pair.pair < first; });
+    std::size_t end = std::clamp(end_, part.begin, part.end);
+    const bool looks = end_ == task.pairs.size() && task.budget.governs_contacts();
+    std::size_t modelled = 0;
     for (std::size_t p = part.begin; p < part.end; ++p) {
         const ListedFront& front = task.fronts.of_pair[p];
         PairRecord& result = pairs[p];
@@ -58,25 +72,63 @@ void ContactStage<Dim>::model_pairs(const ContactTask<Dim>& task, const Part& pa
         result.tests = front.tests;
         result.first_contact = as_number(lists.impacts.size());
         result.nodes.first = as_number(lists.node_pairs.size());
-        if (finest != task.true_shapes.end() && finest->pair == as_number(p))
+        if (finest != task.true_shapes.end() && finest->pair == as_number(p)) {
             take_exact(*finest++, lists, result);
-        else if (front.pairs.count > 0)
-            model_front(task, p, worker, lists, result);
+        } else if (front.pairs.count > 0) {
+            const bool may = !front.by_roots && p < end;
+            if (may && looks && modelled++ % pairs_unlooked == 0 &&
+                is_late(task, p, lists.impacts.size()))
+                end = p;
+            if (may && p < end)
+                model_front(task, {p, task.fronts.pairs(p)}, worker, lists, result);
+            else
+                touch_roots(task, p, worker, lists, result);
+        }
         result.contact_count = as_number(lists.impacts.size()) - result.first_contact;
     }
+    return end;
 }
 
-/// The contacts of a pair, from its front at the last finished level.
+/// Whether the clock leaves time only for the rest to touch by their roots.
 template <int Dim>
-void ContactStage<Dim>::model_front(const ContactTask<Dim>& task, std::size_t pair, Worker& worker,
+bool ContactStage<Dim>::is_late(const ContactTask<Dim>& task, std::size_t pair,
+                                std::size_t contacts) const {
+    const std::size_t rest = task.pairs.size() - pair;
+    return task.budget.is_late({task.bodies.size(), contacts * workers_.size(),
+                                task.fronts.meeting * rest / task.pairs.size()});
+}
+
+/// The contact of a pair at level 0, whichever level its front has reached.
+template <int Dim>
+void ContactStage<Dim>::touch_roots(const ContactTask<Dim>& task, std::size_t pair, Worker& worker,
                                     const Lists& lists, PairRecord& result) {
+    if (result.level > 0) result.verdict = Verdict::possible;
+    result.level = 0;
+    const PosedTree<Dim>& a = task.world_S[at(result.bodies.a)];
+    const PosedTree<Dim>& b = task.world_S[at(result.bodies.b)];
+    const bool by_hulls = task.choice.contact_model == ContactModel::hull && a.tree().has_hulls() &&
+                          b.tree().has_hulls();
+    if (!by_hulls) return model_front(task, {pair, {&roots, 1}}, worker, lists, result);
+    if (const auto contact = root_contact(a, b)) {
+        lists.impacts.push_back({result.bodies.a, result.bodies.b, as_number(pair), *contact});
+        lists.contact_nodes.push_back({result.nodes.first, 1});
+    }
+    lists.node_pairs.push_back(roots);
+    result.nodes.count = 1;
+}
+
+/// The contacts of a pair from its nodes that overlap.
+template <int Dim>
+void ContactStage<Dim>::model_front(const ContactTask<Dim>& task, const Touching& touching,
+                                    Worker& worker, const Lists& lists, PairRecord& result) {
     const std::size_t a = at(result.bodies.a);
     const std::size_t b = at(result.bodies.b);
-    worker.front_contacts.model(
-        {task.world_S[a], task.world_S[b], task.fronts.pairs(pair)}, task.choice,
-        pair_motion(task.bodies[a], task.bodies[b], task.time_step), worker.front);
+    worker.front_contacts.model({task.world_S[a], task.world_S[b], touching.nodes}, task.choice,
+                                pair_motion(task.bodies[a], task.bodies[b], task.time_step),
+                                worker.front);
     for (const auto& [contact, nodes] : worker.front.contacts) {
-        lists.impacts.push_back({result.bodies.a, result.bodies.b, as_number(pair), contact});
+        lists.impacts.push_back(
+            {result.bodies.a, result.bodies.b, as_number(touching.pair), contact});
         lists.contact_nodes.push_back({result.nodes.first + nodes.first, nodes.count});
     }
     const std::vector<NodePair>& node_pairs = worker.front.node_pairs;
@@ -103,16 +155,36 @@ void ContactStage<Dim>::model_in_parts(const ContactTask<Dim>& task, Executor& e
     const std::size_t count = task.pairs.size();
     parts_.resize(parts_of(&executor, count, pairs_of_a_part));
     for (Worker& worker : workers_) worker.lists().clear();
-    each_part(&executor, count, pairs_of_a_part, [&](const Part& part) {
-        Worker& worker = workers_[part.worker];
-        Modelled& done = parts_[part.number];
-        done.worker = part.worker;
-        done.first_node_pair = worker.node_pairs.size();
-        done.first_impact = worker.impacts.size();
-        model_pairs(task, part, worker, worker.lists(), record.pairs);
-        done.node_pairs = worker.node_pairs.size() - done.first_node_pair;
-        done.impacts = worker.impacts.size() - done.first_impact;
-    });
+    each_part(&executor, count, pairs_of_a_part,
+              [&](const Part& part) { model_part(task, part, record); });
+    // The first pair at which a thread found the clock over; what others modelled behind it goes.
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+        if (parts_[i].modelled < std::min(count, (i + 1) * pairs_of_a_part))
+            end_ = std::min(end_, parts_[i].modelled);
+    if (end_ < count)
+        each_part(&executor, count, pairs_of_a_part, [&](const Part& part) {
+            if (parts_[part.number].modelled > std::max(end_, part.begin))
+                model_part(task, part, record);
+        });
+    put_together(executor, count, record);
+}
+
+template <int Dim>
+void ContactStage<Dim>::model_part(const ContactTask<Dim>& task, const Part& part,
+                                   FrameRecord<Dim>& record) {
+    Worker& worker = workers_[part.worker];
+    Modelled& done = parts_[part.number];
+    done.worker = part.worker;
+    done.first_node_pair = worker.node_pairs.size();
+    done.first_impact = worker.impacts.size();
+    done.modelled = model_pairs(task, part, worker.lists(), record.pairs);
+    done.node_pairs = worker.node_pairs.size() - done.first_node_pair;
+    done.impacts = worker.impacts.size() - done.first_impact;
+}
+
+template <int Dim>
+void ContactStage<Dim>::put_together(Executor& executor, std::size_t count,
+                                     FrameRecord<Dim>& record) {
     std::size_t node_pairs = 0;
     std::size_t impacts = 0;
     for (Modelled& part : parts_) {

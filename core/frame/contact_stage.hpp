@@ -4,6 +4,8 @@
 /// The stage of a frame that makes contacts of every pair's front.
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,18 +25,25 @@ struct ContactTask {
     std::span<const FinestPair<Dim>> true_shapes;  ///< in the order of the pairs
     ContactChoice choice;
     double time_step = 0;  ///< [s], > 0
+    const Budget& budget;  ///< whose clock may be over before all is modelled
 };
 
 /// Models the contacts of every candidate pair, from its front or from its true shapes. Parts of
 /// the pairs are done by an executor's threads and put together in the order of the pairs, so that
 /// the lists are the same however many there are.
 ///
+/// Where a budget's clock is over, the contacts of the pairs that are left are those of their root
+/// balls at level 0, whichever level their fronts had reached, and so are those of pairs that were
+/// not taken to their entry levels (ListedFront::by_roots). It is looked at once in eight pairs.
+///
 /// Keeps its storage: a warm call allocates nothing where the executor does not.
 template <int Dim>
 class ContactStage {
   public:
-    /// Replaces pairs, node_pairs, impacts and contact_nodes of the record.
-    void model(const ContactTask<Dim>& task, Executor* executor, FrameRecord<Dim>& record);
+    /// Replaces pairs, node_pairs, impacts and contact_nodes of the record. Returns from which pair
+    /// on contacts were those of root balls; nothing where the budget ended none.
+    std::optional<std::uint64_t> model(const ContactTask<Dim>& task, Executor* executor,
+                                       FrameRecord<Dim>& record);
 
   private:
     /// Lists of a record, or of a part of it.
@@ -62,19 +71,33 @@ class ContactStage {
         std::size_t impacts = 0;
         std::size_t node_pairs_before = 0;  ///< of the parts before
         std::size_t impacts_before = 0;
+        std::size_t modelled = 0;  ///< the first pair that touches by its roots, or the end
     };
 
-    static void model_pairs(const ContactTask<Dim>& task, const Part& part, Worker& worker,
-                            const Lists& lists, std::vector<PairRecord>& pairs);
-    static void model_front(const ContactTask<Dim>& task, std::size_t pair, Worker& worker,
+    /// A pair and the nodes of it that overlap.
+    struct Touching {
+        std::size_t pair = 0;
+        std::span<const NodePair> nodes;
+    };
+
+    std::size_t model_pairs(const ContactTask<Dim>& task, const Part& part, const Lists& lists,
+                            std::vector<PairRecord>& pairs);
+    [[nodiscard]] bool is_late(const ContactTask<Dim>& task, std::size_t pair,
+                               std::size_t contacts) const;
+    static void touch_roots(const ContactTask<Dim>& task, std::size_t pair, Worker& worker,
+                            const Lists& lists, PairRecord& result);
+    static void model_front(const ContactTask<Dim>& task, const Touching& touching, Worker& worker,
                             const Lists& lists, PairRecord& result);
     static void take_exact(const FinestPair<Dim>& finest, const Lists& lists, PairRecord& result);
     void model_in_parts(const ContactTask<Dim>& task, Executor& executor, FrameRecord<Dim>& record);
+    void model_part(const ContactTask<Dim>& task, const Part& part, FrameRecord<Dim>& record);
+    void put_together(Executor& executor, std::size_t count, FrameRecord<Dim>& record);
     void put_in_place(const Modelled& part, std::span<PairRecord> pairs,
                       FrameRecord<Dim>& record) const;
 
     std::vector<Worker> workers_;
     std::vector<Modelled> parts_;
+    std::size_t end_ = 0;  ///< pairs from there on touch by their roots
 };
 
 extern template class ContactStage<2>;

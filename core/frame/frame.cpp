@@ -12,7 +12,9 @@ void pose_all(std::span<const Body<Dim>> bodies, Executor* executor,
               std::vector<PosedTree<Dim>>& world_S) {
     if (world_S.size() != bodies.size()) world_S.resize(bodies.size());
     each_part(executor, bodies.size(), bodies_of_a_part, [&](const Part& part) {
-        for (std::size_t i = part.begin; i < part.end; ++i) world_S[i].pose(bodies[i]);
+        const std::size_t count = part.end - part.begin;
+        PosedTree<Dim>::pose_all(bodies.subspan(part.begin, count),
+                                 std::span(world_S).subspan(part.begin, count));
     });
 }
 
@@ -74,16 +76,19 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
                                    budget, storage.fronts);
     storage.record.spending = {
         storage.scheduler.counts(), budget.tests_left(), {}, budget.after_levels()};
-    storage.record.cut = budget.cut();
     storage.record.tests = budget.spent() - spent_before;
-    storage.contacts.model({bodies,
-                            storage.candidates,
-                            storage.world_S,
-                            storage.fronts,
-                            storage.true_shapes.found(),
-                            {settings.contact_model, settings.point_model},
-                            settings.time_step},
-                           storage.executor, storage.record);
+    const auto modelled = storage.contacts.model({bodies,
+                                                  storage.candidates,
+                                                  storage.world_S,
+                                                  storage.fronts,
+                                                  storage.true_shapes.found(),
+                                                  {settings.contact_model, settings.point_model},
+                                                  settings.time_step,
+                                                  budget},
+                                                 storage.executor, storage.record);
+    budget.contacts_done(modelled, {bodies.size(), storage.record.impacts.size(),
+                                    storage.scheduler.counts().by_roots});
+    storage.record.cut = budget.cut();
     refill(storage.record.impulses, storage.record.impacts.size(), 0.0);
     storage.record.reserved_row_visits = reserved_row_visits(storage);
     storage.record.response = {};
@@ -100,8 +105,12 @@ const FrameRecord<Dim>& advance(std::span<Body<Dim>> bodies, const FrameSettings
     FrameRecord<Dim>& record = storage.record;
     detect<Dim>(bodies, settings, budget, storage);
     rewind(storage, bodies);
+    storage.resolver.budget = &budget;
     record.response = storage.resolver.resolve(settings.response, record.impacts, bodies,
                                                record.impulses, storage.executor);
+    storage.resolver.budget = nullptr;
+    budget.response_done();
+    record.cut = budget.cut();
     record.energy_after = kinetic_energy<Dim>(bodies);
     catch_up(storage, bodies);
     if (settings.sweep.on)

@@ -11,12 +11,7 @@
 namespace lod {
 namespace {
 
-/// How many binary digits a number has.
-std::size_t digits(std::uint64_t number) {
-    std::size_t count = 0;
-    for (; number > 0; number >>= 1) ++count;
-    return count;
-}
+constexpr std::size_t pairs_fetched = 8;  ///< before they are tested
 
 /// How far the nodes of a level stand out of the leaves, both bodies together [m].
 template <int Dim>
@@ -25,28 +20,6 @@ double pair_error(const PosedTree<Dim>& a, const PosedTree<Dim>& b, int level) {
 }
 
 }  // namespace
-
-template <int Dim>
-int entry_level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, bool by_hulls) {
-    // Nothing of a half-space fits into a hollow.
-    if (a.is_half_space() || b.is_half_space()) return 0;
-    if (!by_hulls || !a.tree().has_hulls() || !b.tree().has_hulls()) return 0;
-    return std::max(a.tree().hulls.entry_level, b.tree().hulls.entry_level);
-}
-
-template <int Dim>
-std::uint64_t next_level_tests(const SphereTree<Dim>& a, const SphereTree<Dim>& b,
-                               std::span<const NodePair> front) {
-    std::uint64_t tests = 0;
-    for (const NodePair& pair : front) {
-        const std::int32_t children_a = a.child_count[at(pair.a)];
-        const std::int32_t children_b = b.child_count[at(pair.b)];
-        if (children_a == 0 && children_b == 0) continue;
-        tests += static_cast<std::uint64_t>(std::max(children_a, 1)) *
-                 static_cast<std::uint64_t>(std::max(children_b, 1));
-    }
-    return tests;
-}
 
 /// What a frame hands to the scheduler's steps.
 template <int Dim>
@@ -73,14 +46,18 @@ void Scheduler<Dim>::refine_all(const RefineTask<Dim>& task, Budget& budget, Fro
     refill(last_tests_, trades ? task.pairs.size() : 0, std::uint64_t{0});
     Frame frame{task, budget, fronts};
     const bool at_once = budget.is_unlimited();
-    enter_all(frame, at_once ? task.levels.deepest : 0);
+    const bool governed = budget.governs_entries();
+    enter_all(frame, at_once ? task.levels.deepest : 0, governed);
+    if (governed) enter_chosen(frame);
     if (!at_once) {
         budget.expect(pace_);
-        if (!own_value) weigh(task);
-        fill_heap(frame);
+        if (budget.goes_deeper()) {
+            if (!own_value) weigh(task);
+            fill_heap(frame);
+        }
         const bool stores = task.organisation == Organisation::stored;
         if (stores) store_entries(frame);
-        run(frame);
+        if (budget.goes_deeper()) run(frame);
         if (stores) resolve(frame);
         budget.reserve(frame.node_pairs);
         budget.levels_done();
@@ -90,45 +67,115 @@ void Scheduler<Dim>::refine_all(const RefineTask<Dim>& task, Budget& budget, Fro
 
 /// Whatever the budget says. Each worker has a list of its own; a front says in which it is.
 template <int Dim>
-void Scheduler<Dim>::enter_all(Frame& frame, int deepest) {
+void Scheduler<Dim>::enter_all(Frame& frame, int deepest, bool roots_alone) {
     Executor* const executor = frame.task.executor;
     const std::size_t pairs = frame.task.pairs.size();
     frame.fronts.lists.resize(workers_of(executor));
     for (FrontList& list : frame.fronts.lists) list.clear();
     entered_.resize(parts_of(executor, pairs, pairs_of_a_part));
     each_part(executor, pairs, pairs_of_a_part,
-              [&](const Part& part) { enter(frame, part, deepest); });
+              [&](const Part& part) { enter(frame, part, deepest, roots_alone); });
+    frame.fronts.meeting = 0;
+    add_up(frame);
+}
+
+template <int Dim>
+void Scheduler<Dim>::add_up(Frame& frame) {
+    frame.node_pairs = 0;
     for (const Entered& part : entered_) {
         frame.node_pairs += part.node_pairs;
+        frame.fronts.meeting += part.meeting;
         frame.budget.spend(part.tests);
     }
 }
 
 template <int Dim>
-void Scheduler<Dim>::enter(const Frame& frame, const Part& part, int deepest) {
+void Scheduler<Dim>::enter(const Frame& frame, const Part& part, int deepest, bool roots_alone) {
     FrontList& list = frame.fronts.lists[part.worker];
     Entered& done = entered_[part.number];
     done = {};
-    Budget enough = Budget::unlimited();
     for (std::size_t pair = part.begin; pair < part.end; ++pair) {
         ListedFront& front = frame.fronts.of_pair[pair];
-        const PosedTree<Dim>& a = frame.a(pair);
-        const PosedTree<Dim>& b = frame.b(pair);
-        test_roots(a, b, front, list);
+        if (pair + pairs_fetched < part.end) prefetch(frame.b(pair + pairs_fetched));
+        test_roots(frame.a(pair), frame.b(pair), front, list);
         front.list = static_cast<std::int32_t>(part.worker);
-        if (front.pairs.count == 0) {  // most are apart
-            done.tests += front.tests;
-            continue;
+        if (front.pairs.count > 0) {  // most are apart
+            ++done.meeting;
+            if (!roots_alone) deepen(frame, pair, deepest, list);
+            done.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
         }
-        const int entry = std::max(entry_level(a, b, frame.task.levels.begin_at_entry), deepest);
-        while (front.level < entry && !front.finest) {
-            const std::uint64_t before = front.tests;
-            if (refine(a, b, enough, front, list) == Refinement::interrupted) break;
-            note(pair, front.tests - before);
-        }
-        done.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
         done.tests += front.tests;
     }
+}
+
+/// From level 0 to the entry level, or deeper.
+template <int Dim>
+void Scheduler<Dim>::deepen(const Frame& frame, std::size_t pair, int deepest, FrontList& list) {
+    ListedFront& front = frame.fronts.of_pair[pair];
+    const PosedTree<Dim>& a = frame.a(pair);
+    const PosedTree<Dim>& b = frame.b(pair);
+    const int entry = std::max(entry_level(a, b, frame.task.levels.begin_at_entry), deepest);
+    Budget enough = Budget::unlimited();
+    while (front.level < entry && !front.finest) {
+        const std::uint64_t before = front.tests;
+        if (refine(a, b, enough, front, list) == Refinement::interrupted) break;
+        note(pair, front.tests - before);
+    }
+}
+
+/// Takes as many pairs to their entry levels as there is time for, those first that matter most.
+template <int Dim>
+void Scheduler<Dim>::enter_chosen(Frame& frame) {
+    frame.budget.expect(pace_);
+    const std::uint64_t meeting = frame.fronts.meeting;
+    const std::uint64_t most = frame.budget.entries({frame.task.bodies.size(), 0, meeting});
+    counts_.by_roots = meeting - most;
+    if (most < meeting) choose(frame, most);
+    if (!frame.budget.goes_deeper()) counts_.skipped += meeting;
+    if (most > 0 && frame.task.levels.begin_at_entry) {
+        each_part(frame.task.executor, frame.task.pairs.size(), pairs_of_a_part,
+                  [&](const Part& part) { enter_again(frame, part); });
+        frame.fronts.meeting = 0;
+        add_up(frame);
+    }
+    frame.budget.entries_done(most);
+}
+
+/// The roots of each pair have been tested, perhaps by another worker.
+template <int Dim>
+void Scheduler<Dim>::enter_again(const Frame& frame, const Part& part) {
+    FrontList& list = frame.fronts.lists[part.worker];
+    Entered& done = entered_[part.number];
+    done = {};
+    for (std::size_t pair = part.begin; pair < part.end; ++pair) {
+        ListedFront& front = frame.fronts.of_pair[pair];
+        if (front.pairs.count == 0) continue;
+        if (!front.by_roots && !front.finest) {
+            front.pairs.first = static_cast<std::int32_t>(list.size());
+            *list.room_for(1) = {0, 0};
+            list.take(1);
+            front.list = static_cast<std::int32_t>(part.worker);
+            deepen(frame, pair, 0, list);
+            done.tests += front.tests - 1;
+        }
+        done.meeting += front.pairs.count > 0 ? 1 : 0;
+        done.node_pairs += static_cast<std::uint64_t>(front.pairs.count);
+    }
+}
+
+/// By what the policy knows of pairs before their levels; by number where that is nothing.
+template <int Dim>
+void Scheduler<Dim>::choose(const Frame& frame, std::uint64_t most) {
+    const RefineTask<Dim>& task = frame.task;
+    weight_.clear();
+    if (most > 0 && !own_value) {
+        if (task.priority == Priority::best_gain || task.priority == Priority::trade)
+            for (std::size_t i = 0; i < task.pairs.size(); ++i)
+                weight_.push_back(pair_error(frame.a(i), frame.b(i), 0));
+        else
+            weigh(task);
+    }
+    entries_.choose(most, weight_, frame.fronts.of_pair);
 }
 
 template <int Dim>
@@ -186,7 +233,7 @@ std::uint64_t Scheduler<Dim>::next_tests(const Frame& frame, std::size_t pair) c
 
 /// The next level of a pair. Returns whether there is one.
 template <int Dim>
-bool Scheduler<Dim>::offer(const Frame& frame, std::size_t pair, Waiting& waiting) const {
+bool Scheduler<Dim>::offer(const Frame& frame, std::size_t pair, WaitingLevel& waiting) const {
     waiting.tests = next_tests(frame, pair);
     if (waiting.tests == 0) return false;
     waiting.pair = static_cast<std::int32_t>(pair);
@@ -214,7 +261,7 @@ std::int32_t Scheduler<Dim>::tier(Priority priority, std::size_t pair, int level
 }
 
 template <int Dim>
-double Scheduler<Dim>::value(const Frame& frame, const Waiting& waiting, int level) const {
+double Scheduler<Dim>::value(const Frame& frame, const WaitingLevel& waiting, int level) const {
     const std::size_t pair = at(waiting.pair);
     const auto fall = [&] {
         return pair_error(frame.a(pair), frame.b(pair), level - 1) -
@@ -240,53 +287,19 @@ double Scheduler<Dim>::value(const Frame& frame, const Waiting& waiting, int lev
 }
 
 template <int Dim>
-bool Scheduler<Dim>::comes_later(const Waiting& x, const Waiting& y) {
-    if (x.tier != y.tier) return x.tier > y.tier;
-    return x.value != y.value ? x.value < y.value : x.pair > y.pair;
-}
-
-template <int Dim>
 void Scheduler<Dim>::fill_heap(Frame& frame) {
     heap_.clear();
-    of_size_.fill(0);
-    Waiting waiting;
-    for (std::size_t i = 0; i < frame.task.pairs.size(); ++i) {
-        if (!offer(frame, i, waiting)) continue;
-        heap_.push_back(waiting);
-        ++of_size_[digits(waiting.tests)];
-    }
-    std::make_heap(heap_.begin(), heap_.end(), comes_later);
-}
-
-template <int Dim>
-void Scheduler<Dim>::push(const Waiting& waiting) {
-    heap_.push_back(waiting);
-    std::push_heap(heap_.begin(), heap_.end(), comes_later);
-    ++of_size_[digits(waiting.tests)];
-}
-
-template <int Dim>
-typename Scheduler<Dim>::Waiting Scheduler<Dim>::pop() {
-    std::pop_heap(heap_.begin(), heap_.end(), comes_later);
-    const Waiting next = heap_.back();
-    heap_.pop_back();
-    --of_size_[digits(next.tests)];
-    return next;
-}
-
-/// No level that waits takes fewer tests.
-template <int Dim>
-std::uint64_t Scheduler<Dim>::least_waiting() const {
-    for (std::size_t size = 1; size < of_size_.size(); ++size)
-        if (of_size_[size] > 0) return std::uint64_t{1} << (size - 1);
-    return 0;
+    WaitingLevel waiting;
+    for (std::size_t i = 0; i < frame.task.pairs.size(); ++i)
+        if (offer(frame, i, waiting)) heap_.append(waiting);
+    heap_.put_in_order();
 }
 
 template <int Dim>
 void Scheduler<Dim>::run(Frame& frame) {
-    Waiting next;
+    WaitingLevel next;
     while (!heap_.empty()) {
-        next = pop();
+        next = heap_.pop();
         const std::size_t pair = at(next.pair);
         frame.budget.reserve(frame.node_pairs);
         frame.budget.begin(next.pair, frame.fronts.of_pair[pair].level + 1);
@@ -297,7 +310,7 @@ void Scheduler<Dim>::run(Frame& frame) {
         else {
             ++counts_.finished;
             if (frame.task.organisation == Organisation::stored) store(frame, pair);
-            if (offer(frame, pair, next)) push(next);
+            if (offer(frame, pair, next)) heap_.push(next);
         }
         if (frame.budget.ended()) {
             counts_.skipped += heap_.size();
@@ -310,7 +323,7 @@ void Scheduler<Dim>::run(Frame& frame) {
 template <int Dim>
 void Scheduler<Dim>::skip(Frame& frame) {
     ++counts_.skipped;
-    if (heap_.empty() || frame.budget.fits_any(least_waiting())) return;
+    if (heap_.empty() || frame.budget.fits_any(heap_.least_tests())) return;
     counts_.skipped += heap_.size();
     heap_.clear();
 }
@@ -359,13 +372,7 @@ void Scheduler<Dim>::remember(const Frame& frame) {
     }
 }
 
-#define LOD_INSTANTIATE(Dim)                                                                \
-    template int entry_level(const PosedTree<Dim>&, const PosedTree<Dim>&, bool);           \
-    template std::uint64_t next_level_tests(const SphereTree<Dim>&, const SphereTree<Dim>&, \
-                                            std::span<const NodePair>);                     \
-    template class Scheduler<Dim>;
-LOD_INSTANTIATE(2)
-LOD_INSTANTIATE(3)
-#undef LOD_INSTANTIATE
+template class Scheduler<2>;
+template class Scheduler<3>;
 
 }  // namespace lod

@@ -4,7 +4,6 @@
 /// The scheduler: refines the candidate pairs of a frame under one budget, a level of a pair at a
 /// time, in the order of a policy.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,6 +12,8 @@
 #include "lodlab/core/frame/broad_phase.hpp"
 #include "lodlab/core/frame/schedule/attention.hpp"
 #include "lodlab/core/frame/schedule/collision_tree.hpp"
+#include "lodlab/core/frame/schedule/entries.hpp"
+#include "lodlab/core/frame/schedule/level_heap.hpp"
 #include "lodlab/core/frame/schedule/policy.hpp"
 #include "lodlab/core/frame/schedule/trade.hpp"
 #include "lodlab/core/tree/traversal.hpp"
@@ -47,6 +48,7 @@ template <int Dim>
 struct Fronts {
     std::vector<ListedFront> of_pair;
     std::vector<FrontList> lists{1};  ///< one for each worker of an executor
+    std::uint64_t meeting = 0;        ///< pairs that no entry level told apart
 
     /// The list that has the nodes of a candidate pair.
     [[nodiscard]] FrontList& list_of(std::size_t pair) { return lists[at(of_pair[pair].list)]; }
@@ -69,13 +71,17 @@ template <int Dim>
 /// What a scheduler did with the levels beyond the entry ones.
 struct LevelCounts {
     std::uint64_t finished = 0;
-    std::uint64_t skipped = 0;  ///< not begun, for they would not have fitted; one a pair at most
-    std::uint64_t dropped = 0;  ///< begun, but they found more node pairs than could be paid for,
-                                ///< or the clock ran out
+    std::uint64_t skipped = 0;   ///< not begun, for they would not have fitted; one a pair at most
+    std::uint64_t by_roots = 0;  ///< pairs that were not taken to their entry levels either
+    std::uint64_t dropped = 0;   ///< begun, but they found more node pairs than could be paid for,
+                                 ///< or the clock ran out
 };
 
 /// The scheduler (section 5.1). The entry level of every pair is always done, which is level 0 but
-/// for bodies with hollows; its tests are spent whatever the budget says. Then one level of one
+/// for bodies with hollows; its tests are spent whatever the budget says. Only on a clock that
+/// reserves what follows, where there is no time for that, those pairs alone go on from level 0
+/// which matter most to the policy (Budget::entries): the others stay there and touch as their root
+/// balls do. Then one level of one
 /// pair at a time, from a heap in the order of the policy, ties by candidate number, until nothing
 /// waits or fits. The cost of a level is known before it is begun: one that does not fit into the
 /// rest of the budget is skipped, its pair stays where it stands, and cheaper levels of other pairs
@@ -110,50 +116,44 @@ class Scheduler {
     [[nodiscard]] const Pace& pace() const { return pace_; }
 
   private:
-    /// The next level of a pair.
-    struct Waiting {
-        double value = 0;
-        std::int32_t tier = 0;  ///< lower ones first, whatever the value
-        std::int32_t pair = 0;
-        std::uint64_t tests = 0;
-    };
-    static bool comes_later(const Waiting& x, const Waiting& y);
-
     struct Frame;
     void weigh(const RefineTask<Dim>& task);
     /// What the entry of a part of the pairs came to.
     struct Entered {
         std::uint64_t node_pairs = 0;
+        std::uint64_t meeting = 0;
         std::uint64_t tests = 0;
     };
-    void enter_all(Frame& frame, int deepest);
-    void enter(const Frame& frame, const Part& part, int deepest);
+    void enter_all(Frame& frame, int deepest, bool roots_alone);
+    void enter(const Frame& frame, const Part& part, int deepest, bool roots_alone);
+    void deepen(const Frame& frame, std::size_t pair, int deepest, FrontList& list);
+    void enter_chosen(Frame& frame);
+    void enter_again(const Frame& frame, const Part& part);
+    void choose(const Frame& frame, std::uint64_t most);
+    void add_up(Frame& frame);
     void note(std::size_t pair, std::uint64_t tests);
     [[nodiscard]] Refinement refine_one(Frame& frame, std::size_t pair, Budget& by);
     void fill_heap(Frame& frame);
     [[nodiscard]] std::uint64_t next_tests(const Frame& frame, std::size_t pair) const;
-    [[nodiscard]] bool offer(const Frame& frame, std::size_t pair, Waiting& waiting) const;
+    [[nodiscard]] bool offer(const Frame& frame, std::size_t pair, WaitingLevel& waiting) const;
     [[nodiscard]] std::int32_t tier(Priority priority, std::size_t pair, int level) const;
-    [[nodiscard]] double value(const Frame& frame, const Waiting& waiting, int level) const;
-    void push(const Waiting& waiting);
-    [[nodiscard]] Waiting pop();
+    [[nodiscard]] double value(const Frame& frame, const WaitingLevel& waiting, int level) const;
     void run(Frame& frame);
     void skip(Frame& frame);
-    [[nodiscard]] std::uint64_t least_waiting() const;
     void remember(const Frame& frame);
     void store(const Frame& frame, std::size_t pair);
     void store_entries(Frame& frame);
     void resolve(Frame& frame);
 
     std::vector<Entered> entered_;
-    std::vector<Waiting> heap_;
-    std::array<std::int32_t, 65> of_size_{};  ///< waiting levels, by the bits of their tests
-    std::vector<double> weight_;              ///< of each pair, where the policy has one
-    bool weighed_ = false;                    ///< since refine_all began
+    LevelHeap heap_;
+    std::vector<double> weight_;  ///< of each pair, where the policy has one
+    bool weighed_ = false;        ///< since refine_all began
     Attention<Dim> attention_;
     std::vector<std::int32_t> order_;
     std::vector<std::int32_t> targets_;      ///< of each pair, for trade
     std::vector<std::uint64_t> last_tests_;  ///< of each pair's last finished level, for trade
+    Entries entries_;
     CollisionTree stored_;
     Pace pace_;
     LevelCounts counts_;

@@ -116,6 +116,24 @@ struct Space {
         }
     }
 
+    /// The same of many orientations, to the same bits. Requires: as many matrices.
+    static void rotations(std::span<const Orientation> orientations, std::span<Matrix> matrices) {
+        constexpr std::size_t some = 32;
+        if constexpr (Dim == 2) {
+            std::array<SineCosine, some> of;
+            for (std::size_t begin = 0; begin < orientations.size(); begin += some) {
+                const std::size_t count = (std::min)(some, orientations.size() - begin);
+                sine_cosine(orientations.subspan(begin, count), std::span(of).first(count));
+                for (std::size_t i = 0; i < count; ++i)
+                    matrices[begin + i] =
+                        Matrix(of[i].cosine, -of[i].sine, of[i].sine, of[i].cosine);
+            }
+        } else {
+            for (std::size_t i = 0; i < orientations.size(); ++i)
+                matrices[i] = rotation(orientations[i]);
+        }
+    }
+
     /// An orientation after turning by the vector `turn` [rad], given in the world frame.
     static Orientation turned(const Orientation& orientation, const Spin& turn) {
         if constexpr (Dim == 2) {

@@ -1,6 +1,7 @@
 #include "lodlab/core/math/trigonometry.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -32,8 +33,57 @@ double short_cosine(double x) {
     return 1.0 - 0.5 * x2 * (1.0 - sum);
 }
 
+/// The same of several numbers.
+template <std::size_t Count>
+void short_sines(const std::array<double, Count>& x, std::array<double, Count>& sines) {
+    std::array<double, Count> sum{};
+    for (int k = 19; k >= 3; k -= 2)
+        for (std::size_t i = 0; i < Count; ++i)
+            sum[i] = x[i] * x[i] * (1.0 - sum[i]) / (k * (k - 1));
+    for (std::size_t i = 0; i < Count; ++i) sines[i] = x[i] - x[i] * sum[i];
+}
+
+template <std::size_t Count>
+void short_cosines(const std::array<double, Count>& x, std::array<double, Count>& cosines) {
+    std::array<double, Count> sum{};
+    for (int k = 20; k >= 4; k -= 2)
+        for (std::size_t i = 0; i < Count; ++i)
+            sum[i] = x[i] * x[i] * (1.0 - sum[i]) / (k * (k - 1));
+    for (std::size_t i = 0; i < Count; ++i) cosines[i] = 1.0 - 0.5 * (x[i] * x[i]) * (1.0 - sum[i]);
+}
+
 /// Beyond this the three-part reduction is not exact any more.
 constexpr double largest_exact = 1e6;
+
+/// An angle less whole quarters of a turn.
+struct Reduced {
+    double quarters = 0;
+    double x = 0;         ///< within -pi/4 to pi/4
+    double left_out = 0;  ///< of x
+
+    Reduced() = default;
+    explicit Reduced(double angle) {
+        if (!(std::abs(angle) <= largest_exact)) angle = wrapped_angle(angle);
+        quarters = std::floor(angle * (2 / std::numbers::pi) + 0.5);
+        // As a double and what it leaves out, both differences in full.
+        const double first = angle - quarters * half_pi_1;  // exact
+        const double second = quarters * half_pi_2;         // exact
+        x = first - second;
+        const double shift = first - x;
+        left_out = ((first - (x + shift)) + (shift - second)) - quarters * half_pi_3;
+    }
+
+    /// The angle's, from those of x.
+    [[nodiscard]] SineCosine turned(double s_x, double c_x) const {
+        const double s = s_x + c_x * left_out;
+        const double c = c_x - s_x * left_out;
+        const double turn = quarters - 4 * std::floor(quarters / 4);
+        if (turn == 0) return {s, c};
+        if (turn == 1) return {c, -s};
+        if (turn == 2) return {-s, -c};
+        return {-c, s};
+    }
+};
 
 /// The arc tangent of 0 <= t <= 1, by its series about 0 and the addition theorem about 1/4, 1/2,
 /// 3/4 and 1: the series then runs over at most 1/8, and its first term left out is below 1e-20.
@@ -73,23 +123,28 @@ double angle_of_cosine(double cosine) {
 }
 
 SineCosine sine_cosine(double angle) {
-    if (!(std::abs(angle) <= largest_exact)) angle = wrapped_angle(angle);
-    const double quarters = std::floor(angle * (2 / std::numbers::pi) + 0.5);
-    // The angle less whole quarters as a double and what it leaves out, both differences in full.
-    const double first = angle - quarters * half_pi_1;  // exact
-    const double second = quarters * half_pi_2;         // exact
-    const double x = first - second;
-    const double shift = first - x;
-    const double left_out = ((first - (x + shift)) + (shift - second)) - quarters * half_pi_3;
-    const double s_x = short_sine(x);
-    const double c_x = short_cosine(x);
-    const double s = s_x + c_x * left_out;
-    const double c = c_x - s_x * left_out;
-    const double turn = quarters - 4 * std::floor(quarters / 4);
-    if (turn == 0) return {s, c};
-    if (turn == 1) return {c, -s};
-    if (turn == 2) return {-s, -c};
-    return {-c, s};
+    const Reduced reduced(angle);
+    return reduced.turned(short_sine(reduced.x), short_cosine(reduced.x));
+}
+
+void sine_cosine(std::span<const double> angles, std::span<SineCosine> results) {
+    constexpr std::size_t some = 16;
+    std::array<Reduced, some> reduced;
+    std::array<double, some> x{};
+    std::array<double, some> sine{};
+    std::array<double, some> cosine{};
+    for (std::size_t begin = 0; begin < angles.size(); begin += some) {
+        const std::size_t count = std::min(some, angles.size() - begin);
+        for (std::size_t i = 0; i < count; ++i) {
+            reduced[i] = Reduced(angles[begin + i]);
+            x[i] = reduced[i].x;
+        }
+        // Each angle's series is a chain of divisions: side by side, not one after the other.
+        short_sines(x, sine);
+        short_cosines(x, cosine);
+        for (std::size_t i = 0; i < count; ++i)
+            results[begin + i] = reduced[i].turned(sine[i], cosine[i]);
+    }
 }
 
 double wrapped_angle(double angle) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <numbers>
+#include <span>
 
 namespace lod {
 
@@ -16,6 +17,9 @@ struct SineCosine {
 /// Beyond 1e6 the angle is first reduced by whole turns of the double 2 pi: bounded and repeatable,
 /// but off by about |angle| * 4e-17. NaN for NaN and infinity.
 [[nodiscard]] SineCosine sine_cosine(double angle);
+
+/// The same of many angles, to the same bits, in a fifth of the time. Requires: as many results.
+void sine_cosine(std::span<const double> angles, std::span<SineCosine> results);
 
 /// The angle [rad] from the x axis to the point (x, y), in [-pi, pi], within 3 units in the last
 /// place; built as sine_cosine is, for the same bits everywhere. Signs and zeros as std::atan2.

@@ -34,11 +34,13 @@ ResponseReport NetImpulse<Dim>::resolve(std::span<const Impact<Dim>> impacts,
     list_neighbours(bodies);
     asked_.resize(pairs_.size());
     std::iota(asked_.begin(), asked_.end(), 0);
-    while (!asked_.empty()) {
+    for (std::int32_t rounds = 1; !asked_.empty(); ++rounds) {
         ++round_;
+        const std::size_t asked = asked_.size();
         ask(bodies);
         round(bodies, impulses);
         ask_neighbours(most_visits);
+        if (!goes_on(rounds, asked)) break;
     }
     report_rest(bodies, most_visits);
     return report_;
@@ -58,23 +60,30 @@ void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts,
     if (!std::is_sorted(order_.begin(), order_.end(), before))
         std::sort(order_.begin(), order_.end(), before);
     pairs_.clear();
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-        const Impact<Dim>& impact = impacts[at(order_[i])];
+    const auto fetch = [&](std::int32_t contact) {
+        prefetch(bodies[at(impacts[at(contact)].a)]);
+        prefetch(bodies[at(impacts[at(contact)].b)]);
+    };
+    each_fetched(order_, fetch, [&](std::int32_t contact, std::size_t i) {
+        const Impact<Dim>& impact = impacts[at(contact)];
         if (i == 0 || impacts[at(order_[i - 1])].pair != impact.pair) {
             Pair& pair = pairs_.emplace_back();
             pair.a = impact.a;
             pair.b = impact.b;
             pair.first = static_cast<std::int32_t>(i);
             pair.restitution = pair_restitution(bodies[at(impact.a)], bodies[at(impact.b)]);
+            pair.moves_a = !bodies[at(impact.a)].is_static();
+            pair.moves_b = !bodies[at(impact.b)].is_static();
         }
         pairs_.back().end = static_cast<std::int32_t>(i) + 1;
-    }
+    });
     rows_.resize(order_.size());
     each_part(executor, rows_.size(), rows_of_a_part, [&](const Part& part) {
-        for (std::size_t i = part.begin; i < part.end; ++i) {
-            rows_[i] = row(impacts[at(order_[i])], bodies);
-            rows_[i].contact = order_[i];
-        }
+        const auto some = std::span(order_).subspan(part.begin, part.end - part.begin);
+        each_fetched(some, fetch, [&](std::int32_t contact, std::size_t i) {
+            rows_[part.begin + i] = row(impacts[at(contact)], bodies);
+            rows_[part.begin + i].contact = contact;
+        });
     });
     body_.resize(std::max(body_.size(), bodies.size()));
     if (queued_.size() < pairs_.size()) queued_.resize(pairs_.size(), 0);
@@ -83,9 +92,9 @@ void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts,
 template <int Dim>
 auto NetImpulse<Dim>::row(const Impact<Dim>& impact, std::span<const Body<Dim>> bodies) const
     -> Row {
-    const auto& [point, normal, depth] = impact.contact;
     Row row;
-    row.normal = normal;
+    const Vector<Dim>& normal = row.normal = impact.contact.normal;
+    const Vector<Dim>& point = impact.contact.point;
     row.moment_a = Space<Dim>::moment(point - bodies[at(impact.a)].position, normal);
     row.moment_b = Space<Dim>::moment(point - bodies[at(impact.b)].position, normal);
     const double K = inverse_norm(impact.a, {normal, row.moment_a}, bodies) +
@@ -94,44 +103,14 @@ auto NetImpulse<Dim>::row(const Impact<Dim>& impact, std::span<const Body<Dim>> 
     return row;
 }
 
-/// The pairs of each body that can move, by counting.
 template <int Dim>
 void NetImpulse<Dim>::list_neighbours(std::span<const Body<Dim>> bodies) {
-    refill(neighbour_begin_, bodies.size() + 1, 0);
-    const auto each = [&](const auto& visit) {
-        for (std::size_t p = 0; p < pairs_.size(); ++p)
-            for (const std::int32_t body : {pairs_[p].a, pairs_[p].b})
-                if (!bodies[at(body)].is_static()) visit(at(body), static_cast<std::int32_t>(p));
-    };
-    each([&](std::size_t body, std::int32_t) { ++neighbour_begin_[body + 1]; });
-    std::partial_sum(neighbour_begin_.begin(), neighbour_begin_.end(), neighbour_begin_.begin());
-    neighbours_.resize(at(neighbour_begin_.back()));
-    each([&](std::size_t body, std::int32_t p) { neighbours_[at(neighbour_begin_[body]++)] = p; });
-    // Every begin has moved on to its end, the next one's begin.
-    std::shift_right(neighbour_begin_.begin(), neighbour_begin_.end(), 1);
-    neighbour_begin_.front() = 0;
-}
-
-/// Equation (3), and the size of the terms that it is the sum of.
-template <int Dim>
-double NetImpulse<Dim>::closing(const Pair& pair, const Row& row, std::span<const Body<Dim>> bodies,
-                                double& size) const {
-    const Body<Dim>& a = bodies[at(pair.a)];
-    const Body<Dim>& b = bodies[at(pair.b)];
-    const double linear_a = row.normal.dot(a.velocity);
-    const double linear_b = row.normal.dot(b.velocity);
-    const double angular_a = row.moment_a.dot(a.spin);
-    const double angular_b = row.moment_b.dot(b.spin);
-    size = std::abs(linear_a) + std::abs(linear_b) + std::abs(angular_a) + std::abs(angular_b);
-    return (linear_b - linear_a) + (angular_b - angular_a);
-}
-
-/// The push's square by the body's inverse mass and inertia.
-template <int Dim>
-double NetImpulse<Dim>::inverse_norm(std::int32_t body, const Push& push,
-                                     std::span<const Body<Dim>> bodies) const {
-    return bodies[at(body)].inverse_mass * push.linear.squaredNorm() +
-           push.angular.dot(inverse_inertia_[at(body)] * push.angular);
+    neighbours_.list(bodies.size(), [&](const auto& visit) {
+        for (std::size_t p = 0; p < pairs_.size(); ++p) {
+            if (pairs_[p].moves_a) visit(pairs_[p].a, static_cast<std::int32_t>(p));
+            if (pairs_[p].moves_b) visit(pairs_[p].b, static_cast<std::int32_t>(p));
+        }
+    });
 }
 
 /// Which pairs of this round approach.
@@ -142,12 +121,19 @@ void NetImpulse<Dim>::ask(std::span<const Body<Dim>> bodies) {
     each_part(executor, asked_.size(), pairs_of_a_part, [&](const Part& part) {
         Asked done;
         done.begin = part.begin;
-        for (std::size_t i = part.begin; i < part.end; ++i) {
-            Pair& pair = pairs_[at(asked_[i])];
+        const auto fetch = [&](std::int32_t p) {
+            for (const std::int32_t body : {pairs_[at(p)].a, pairs_[at(p)].b}) {
+                prefetch(bodies[at(body)]);
+                prefetch(inverse_inertia_[at(body)]);
+            }
+        };
+        const auto some = std::span(asked_).subspan(part.begin, part.end - part.begin);
+        each_fetched(some, fetch, [&](std::int32_t p, std::size_t) {
+            Pair& pair = pairs_[at(p)];
             done.most_visits = std::max(done.most_visits, ++pair.visits);
             done.row_visits += static_cast<std::uint64_t>(pair.end - pair.first);
-            if (approaches(pair, bodies)) approaching_[done.begin + done.approaching++] = asked_[i];
-        }
+            if (approaches(pair, bodies)) approaching_[done.begin + done.approaching++] = p;
+        });
         asked_parts_[part.number] = done;
     });
     auto end = approaching_.begin();
@@ -169,7 +155,7 @@ bool NetImpulse<Dim>::approaches(Pair& pair, std::span<const Body<Dim>> bodies) 
     for (std::int32_t r = pair.first; r < pair.end; ++r) {
         Row& row = rows_[at(r)];
         double size = 0;
-        const double u = closing(pair, row, bodies, size);
+        const double u = row.closing(bodies[at(pair.a)], bodies[at(pair.b)], size);
         pair.threshold = std::max(pair.threshold, settled_share * size);
         row.direction = u < -pair.threshold ? -u * row.mass : 0;
         if (row.direction == 0) continue;
@@ -201,7 +187,7 @@ std::int32_t NetImpulse<Dim>::root_of(Set set, std::int32_t body) {
     return body;
 }
 
-/// A set is named by its first body, so that its name does not depend on the order of the pairs.
+/// A set is named by its first body, whatever the order of the pairs.
 template <int Dim>
 void NetImpulse<Dim>::unite(Set set, std::int32_t a, std::int32_t b) {
     const std::int32_t root_a = root_of(set, a);
@@ -232,11 +218,9 @@ bool NetImpulse<Dim>::leans(const Pair& pair, std::int32_t body, double norm) co
 /// Puts the pair and its bodies into one group, and into one cluster where it does not lean. Of two
 /// bodies it leans on one at most, for their norms add up to its own.
 template <int Dim>
-void NetImpulse<Dim>::join(Pair& pair, std::span<const Body<Dim>> bodies) {
-    const bool moves_a = !bodies[at(pair.a)].is_static();
-    const bool moves_b = !bodies[at(pair.b)].is_static();
-    pair.cluster = moves_a ? pair.a : pair.b;
-    if (!moves_a || !moves_b) return;
+void NetImpulse<Dim>::join(Pair& pair) {
+    pair.cluster = pair.moves_a ? pair.a : pair.b;
+    if (!pair.moves_a || !pair.moves_b) return;
     unite(&BodyRound::group, pair.a, pair.b);
     if (leans(pair, pair.a, pair.norm_a))
         pair.cluster = pair.b;
@@ -244,26 +228,31 @@ void NetImpulse<Dim>::join(Pair& pair, std::span<const Body<Dim>> bodies) {
         unite(&BodyRound::cluster, pair.a, pair.b);
 }
 
-/// Adds up s D on each body.
+/// Pairs of this round.
 template <int Dim>
-void NetImpulse<Dim>::add_pushes(std::span<const Body<Dim>> bodies, bool leaning_only) {
-    const auto meant = [&](std::int32_t body) {
-        return !leaning_only || body_[at(root_of(&BodyRound::group, body))].leans;
+template <class Visit>
+void NetImpulse<Dim>::each_pair(std::span<const std::int32_t> pairs, const Visit& visit) {
+    const auto fetch = [&](std::int32_t p) {
+        prefetch(body_[at(pairs_[at(p)].a)]);
+        prefetch(body_[at(pairs_[at(p)].b)]);
     };
-    for (const std::int32_t body : changed_)
-        if (meant(body)) body_[at(body)].push = {};
-    for (const std::int32_t p : approaching_) {
-        const Pair& pair = pairs_[at(p)];
-        if (!meant(pair.cluster)) continue;
+    each_fetched(pairs, fetch, [&](std::int32_t p, std::size_t) { visit(pairs_[at(p)]); });
+}
+
+/// Adds up s D on these bodies, which are all that the pairs move.
+template <int Dim>
+void NetImpulse<Dim>::add_pushes(std::span<const std::int32_t> to,
+                                 std::span<const std::int32_t> of_pairs) {
+    for (const std::int32_t body : to) body_[at(body)].push = {};
+    each_pair(of_pairs, [&](const Pair& pair) {
         const double s = body_[at(pair.cluster)].scale;
         const auto add = [&](std::int32_t body, const Push& by) {
-            if (bodies[at(body)].is_static()) return;
             body_[at(body)].push.linear += s * by.linear;
             body_[at(body)].push.angular += s * by.angular;
         };
-        add(pair.a, pair.push_a);
-        add(pair.b, pair.push_b);
-    }
+        if (pair.moves_a) add(pair.a, pair.push_a);
+        if (pair.moves_b) add(pair.b, pair.push_b);
+    });
 }
 
 /// The inverse-mass product of a pair's push and all that the round pushes the body with.
@@ -276,25 +265,30 @@ double NetImpulse<Dim>::product(std::int32_t body, const Push& push,
            push.angular.dot(inverse_inertia_[at(body)] * all.angular);
 }
 
-/// The scales of clusters that lean on common bodies.
+/// The scales of clusters that lean on common bodies: few, as a rule, in a crowd.
 template <int Dim>
 void NetImpulse<Dim>::relax(std::span<const Body<Dim>> bodies) {
     const auto leaning = [&](std::int32_t body) {
         return body_[at(root_of(&BodyRound::group, body))].leans;
     };
-    if (std::none_of(changed_.begin(), changed_.end(), leaning)) return;
+    leaning_bodies_.clear();
+    for (const std::int32_t body : changed_)
+        if (leaning(body)) leaning_bodies_.push_back(body);
+    if (leaning_bodies_.empty()) return;
+    leaning_pairs_.clear();
+    for (const std::int32_t p : approaching_)
+        if (leaning(pairs_[at(p)].cluster)) leaning_pairs_.push_back(p);
     for (int sweep = 0; sweep <= lean_sweeps; ++sweep) {
-        add_pushes(bodies, true);
-        for (const std::int32_t body : changed_) body_[at(body)].reaction = 0;
-        for (const std::int32_t p : approaching_) {
+        add_pushes(leaning_bodies_, leaning_pairs_);
+        for (const std::int32_t body : leaning_bodies_) body_[at(body)].reaction = 0;
+        for (const std::int32_t p : leaning_pairs_) {
             const Pair& pair = pairs_[at(p)];
-            if (leaning(pair.cluster))
-                body_[at(pair.cluster)].reaction +=
-                    product(pair.a, pair.push_a, bodies) + product(pair.b, pair.push_b, bodies);
+            body_[at(pair.cluster)].reaction +=
+                product(pair.a, pair.push_a, bodies) + product(pair.b, pair.push_b, bodies);
         }
-        for (const std::int32_t body : changed_) {
+        for (const std::int32_t body : leaning_bodies_) {
             BodyRound& cluster = body_[at(body)];
-            if (cluster.squares == 0 || !leaning(body)) continue;
+            if (cluster.squares == 0) continue;
             // The first time all scales are 1, and what the others add is little.
             if (sweep == 0) cluster.diagonal = cluster.reaction;
             if (cluster.diagonal > 0)
@@ -308,49 +302,57 @@ void NetImpulse<Dim>::relax(std::span<const Body<Dim>> bodies) {
 template <int Dim>
 void NetImpulse<Dim>::round(Bodies bodies, std::span<double> impulses) {
     changed_.clear();
-    for (const std::int32_t p : approaching_) {
-        const Pair& pair = pairs_[at(p)];
-        if (!bodies[at(pair.a)].is_static()) enter(pair.a, pair.norm_a);
-        if (!bodies[at(pair.b)].is_static()) enter(pair.b, pair.norm_b);
-    }
-    for (const std::int32_t p : approaching_) join(pairs_[at(p)], bodies);
-    for (const std::int32_t p : approaching_) {
-        Pair& pair = pairs_[at(p)];
+    each_pair(approaching_, [&](const Pair& pair) {
+        if (pair.moves_a) enter(pair.a, pair.norm_a);
+        if (pair.moves_b) enter(pair.b, pair.norm_b);
+    });
+    each_pair(approaching_, [&](Pair& pair) { join(pair); });
+    each_pair(approaching_, [&](Pair& pair) {
         pair.cluster = root_of(&BodyRound::cluster, pair.cluster);
         body_[at(pair.cluster)].squares += pair.norm_a + pair.norm_b;
         const std::int32_t group = root_of(&BodyRound::group, pair.cluster);
         if (root_of(&BodyRound::cluster, group) != pair.cluster) body_[at(group)].leans = true;
-    }
+    });
     relax(bodies);
-    add_pushes(bodies, false);
+    add_pushes(changed_, approaching_);
     apply(bodies, impulses);
+}
+
+template <int Dim>
+template <class Visit>
+void NetImpulse<Dim>::each_changed(std::span<const Body<Dim>> bodies, const Visit& visit) {
+    const auto fetch = [&](std::int32_t body) {
+        prefetch(body_[at(body)]);
+        prefetch(inverse_inertia_[at(body)]);
+        prefetch(bodies[at(body)]);
+    };
+    each_fetched(changed_, fetch, [&](std::int32_t body, std::size_t) { visit(body); });
 }
 
 /// Changes the bodies, and with them the impulses, by what makes the energy of each group exact.
 template <int Dim>
 void NetImpulse<Dim>::apply(Bodies bodies, std::span<double> impulses) {
-    for (const std::int32_t body : changed_) {
+    each_changed(bodies, [&](std::int32_t body) {
         const BodyRound& entry = body_[at(body)];
         BodyRound& group = body_[at(root_of(&BodyRound::group, body))];
         group.group_norm += inverse_norm(body, entry.push, bodies);
         group.group_squares += entry.scale * entry.squares;
-    }
+    });
     const auto scale = [&](std::int32_t body) {
         const BodyRound& group = body_[at(root_of(&BodyRound::group, body))];
         return group.group_norm > 0 ? group.group_squares / group.group_norm : 0;
     };
-    for (const std::int32_t body : changed_) {
+    each_changed(bodies, [&](std::int32_t body) {
         const double s = scale(body);
         const Push& push = body_[at(body)].push;
         bodies[at(body)].velocity += bodies[at(body)].inverse_mass * (s * push.linear);
         bodies[at(body)].spin += inverse_inertia_[at(body)] * (s * push.angular);
-    }
-    for (const std::int32_t p : approaching_) {
-        const Pair& pair = pairs_[at(p)];
+    });
+    each_pair(approaching_, [&](const Pair& pair) {
         const double s = scale(pair.cluster) * body_[at(pair.cluster)].scale * pair.scale;
         for (std::int32_t r = pair.first; r < pair.end; ++r)
             impulses[at(rows_[at(r)].contact)] += s * rows_[at(r)].direction;
-    }
+    });
 }
 
 /// The pairs of the next round: those of all bodies that this one has changed.
@@ -358,12 +360,19 @@ template <int Dim>
 void NetImpulse<Dim>::ask_neighbours(int most_visits) {
     asked_.clear();
     for (const std::int32_t body : changed_)
-        for (std::int32_t n = neighbour_begin_[at(body)]; n < neighbour_begin_[at(body) + 1]; ++n) {
-            const std::int32_t p = neighbours_[at(n)];
+        for (const std::int32_t p : neighbours_.of(body)) {
             if (pairs_[at(p)].visits >= most_visits) continue;
             if (std::exchange(queued_[at(p)], round_) != round_) asked_.push_back(p);
         }
     std::sort(asked_.begin(), asked_.end());
+}
+
+/// Whether the next round fits.
+template <int Dim>
+bool NetImpulse<Dim>::goes_on(std::int32_t rounds, std::size_t before) {
+    const bool more = !budget || asked_.empty() || budget->goes_on(rounds, asked_.size(), before);
+    if (!more) report_.unasked = static_cast<std::int32_t>(asked_.size());
+    return more;
 }
 
 /// What goes on approaching; only a pair that was not asked to its end can.
@@ -374,7 +383,8 @@ void NetImpulse<Dim>::report_rest(std::span<const Body<Dim>> bodies, int most_vi
         report_.row_visits += static_cast<std::uint64_t>(pair.end - pair.first);
         for (std::int32_t r = pair.first; r < pair.end; ++r) {
             double size = 0;
-            const double speed = -closing(pair, rows_[at(r)], bodies, size);
+            const double speed =
+                -rows_[at(r)].closing(bodies[at(pair.a)], bodies[at(pair.b)], size);
             if (rows_[at(r)].mass == 0 || speed <= pair.threshold) continue;
             ++report_.approaching;
             report_.fastest = std::max(report_.fastest, speed);

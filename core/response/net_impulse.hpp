@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "lodlab/core/base/executor.hpp"
-#include "lodlab/core/response/impact.hpp"
+#include "lodlab/core/response/impact_row.hpp"
+#include "lodlab/core/response/pairs_of_bodies.hpp"
+#include "lodlab/core/tree/budget.hpp"
 
 namespace lod {
 
@@ -18,6 +20,7 @@ struct ResponseReport {
     std::uint64_t row_visits = 0;  ///< closing velocities asked for: what its time is linear in
     std::int32_t approaching = 0;  ///< contacts that go on approaching: they wait a frame
     double fastest = 0;            ///< the largest of their closing speeds [m/s]
+    std::int32_t unasked = 0;      ///< pairs that were to be asked again when the clock was over
 };
 
 /// The energy-exact net impulse of many contacts, each pair by itself and then all that act on each
@@ -58,27 +61,20 @@ class NetImpulse {
     /// Whose threads work out contacts, and what pairs by themselves ask for; nothing: the calling
     /// one alone. It must outlive resolve, whose bits do not depend on it.
     Executor* executor = nullptr;
+    /// Whose clock may end it after any round but the first; nothing: no clock. It must outlive
+    /// resolve.
+    Budget* budget = nullptr;
 
   private:
-    /// What of a contact stays as it is while velocities change.
-    struct Row {
-        Vector<Dim> normal;
-        Spin<Dim> moment_a;  ///< r_a x n
-        Spin<Dim> moment_b;
-        double mass = 0;       ///< 1/K of equation (1); 0 where neither can move
-        double direction = 0;  ///< d of this round; 0 where the contact parts
-        std::int32_t contact = 0;
-    };
-    /// A net impulse and its moment about the centre of mass.
-    struct Push {
-        Vector<Dim> linear = Vector<Dim>::Zero();
-        Spin<Dim> angular = Spin<Dim>::Zero();
-    };
+    using Row = ImpactRow<Dim>;
+    using Push = ImpactPush<Dim>;
     struct Pair {
         std::int32_t a = 0;
         std::int32_t b = 0;
         std::int32_t first = 0;  ///< into rows_
         std::int32_t end = 0;
+        bool moves_a = false;  ///< not static
+        bool moves_b = false;
         int visits = 0;
         double restitution = 0;
         double threshold = 0;  ///< a contact approaches beyond this speed [m/s]
@@ -118,36 +114,43 @@ class NetImpulse {
     void prepare(std::span<const Impact<Dim>> impacts, std::span<const Body<Dim>> bodies);
     [[nodiscard]] Row row(const Impact<Dim>& impact, std::span<const Body<Dim>> bodies) const;
     void list_neighbours(std::span<const Body<Dim>> bodies);
-    [[nodiscard]] double closing(const Pair& pair, const Row& row,
-                                 std::span<const Body<Dim>> bodies, double& size) const;
+    /// The push's square by the body's inverse mass and inertia.
     [[nodiscard]] double inverse_norm(std::int32_t body, const Push& push,
-                                      std::span<const Body<Dim>> bodies) const;
+                                      std::span<const Body<Dim>> bodies) const {
+        return push.inverse_norm(bodies[at(body)].inverse_mass, inverse_inertia_[at(body)]);
+    }
     void ask(std::span<const Body<Dim>> bodies);
     [[nodiscard]] bool approaches(Pair& pair, std::span<const Body<Dim>> bodies);
     [[nodiscard]] std::int32_t root_of(Set set, std::int32_t body);
     void unite(Set set, std::int32_t a, std::int32_t b);
     void enter(std::int32_t body, double norm);
     [[nodiscard]] bool leans(const Pair& pair, std::int32_t body, double norm) const;
-    void join(Pair& pair, std::span<const Body<Dim>> bodies);
-    void add_pushes(std::span<const Body<Dim>> bodies, bool leaning_only);
+    void join(Pair& pair);
+    void add_pushes(std::span<const std::int32_t> to, std::span<const std::int32_t> of_pairs);
+    template <class Visit>
+    void each_pair(std::span<const std::int32_t> pairs, const Visit& visit);
+    template <class Visit>
+    void each_changed(std::span<const Body<Dim>> bodies, const Visit& visit);
     void relax(std::span<const Body<Dim>> bodies);
     [[nodiscard]] double product(std::int32_t body, const Push& push,
                                  std::span<const Body<Dim>> bodies) const;
     void apply(Bodies bodies, std::span<double> impulses);
     void round(Bodies bodies, std::span<double> impulses);
     void ask_neighbours(int most_visits);
+    [[nodiscard]] bool goes_on(std::int32_t rounds, std::size_t before);
     void report_rest(std::span<const Body<Dim>> bodies, int most_visits);
 
     std::span<const Inertia<Dim>> inverse_inertia_;
     std::vector<std::int32_t> order_;  ///< contacts, pair by pair
     std::vector<Row> rows_;
     std::vector<Pair> pairs_;
-    std::vector<std::int32_t> neighbour_begin_;  ///< of each moving body, into neighbours_
-    std::vector<std::int32_t> neighbours_;       ///< its pairs
-    std::vector<std::int32_t> asked_;            ///< pairs of this round
+    PairsOfBodies neighbours_;         ///< of moving bodies
+    std::vector<std::int32_t> asked_;  ///< pairs of this round
     std::vector<Asked> asked_parts_;
     std::vector<std::int32_t> approaching_;
-    std::vector<std::int32_t> changed_;  ///< bodies
+    std::vector<std::int32_t> changed_;         ///< bodies
+    std::vector<std::int32_t> leaning_bodies_;  ///< of them: those of groups of several clusters
+    std::vector<std::int32_t> leaning_pairs_;   ///< the same of approaching_
     std::vector<BodyRound> body_;
     std::vector<std::uint64_t> queued_;  ///< of each pair: the last round that asks for it
     std::uint64_t round_ = 0;

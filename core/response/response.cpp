@@ -23,6 +23,7 @@ ResponseReport Resolver<Dim>::resolve(Response response, Impacts impacts, Bodies
     switch (response) {
         case Response::net:
             net_.executor = executor;
+            net_.budget = budget;
             return net_.resolve(impacts, inverse_inertia_, bodies, impulses, most_visits);
         case Response::sum:
             resolve_independently(false, impacts, bodies, impulses);

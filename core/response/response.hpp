@@ -61,6 +61,9 @@ class Resolver {
                            std::span<Body<Dim>> bodies, std::vector<double>& impulses,
                            Executor* executor = nullptr);
 
+    /// Whose clock may end `net` between two rounds; nothing: no clock. It must outlive resolve.
+    Budget* budget = nullptr;
+
   private:
     struct Island {
         std::int32_t first = 0;  ///< into order_

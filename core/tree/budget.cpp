@@ -36,8 +36,14 @@ void Budget::begin(std::int32_t pair, std::int32_t level) {
 
 std::optional<Cut> Budget::cut() const {
     if (!refused()) return std::nullopt;
-    if (!ended_) return Cut{-1, 0, 0, counted_, answered_};
-    return Cut{at_.pair, at_.level, spent_ - spent_before_, counted_, answered_};
+    Cut cut;
+    if (ended_) cut = {at_.pair, at_.level, spent_ - spent_before_};
+    cut.counted = counted_;
+    cut.answered = answered_;
+    cut.entered = entered_;
+    cut.modelled = modelled_;
+    cut.rounds = rounds_;
+    return cut;
 }
 
 bool Budget::fits(std::uint64_t tests) {
@@ -146,6 +152,40 @@ std::uint64_t Budget::join() {
 void Budget::answer_only(std::uint64_t node_pairs) {
     answered_ = node_pairs;
     refused_ = true;
+}
+
+std::uint64_t Budget::entries(const Aftermath& all) {
+    if (!governs_entries()) return all.to_touch;
+    const std::uint64_t most =
+        (std::min)(all.to_touch, until_ ? *until_->entered : deadline_->entries(all));
+    if (!until_ && most == all.to_touch && !deadline_->is_spent_by(most, all)) return most;
+    entered_ = most;
+    count({});
+    refused_ = true;
+    return most;
+}
+
+void Budget::entries_done(std::uint64_t pairs) {
+    if (deadline_) deadline_->entered(pairs);
+}
+
+void Budget::contacts_done(std::optional<std::uint64_t> modelled, const Aftermath& all) {
+    modelled_ = modelled;
+    if (modelled) refused_ = true;
+    if (deadline_) deadline_->contacts_done(all);
+}
+
+bool Budget::goes_on(std::int32_t rounds, std::uint64_t pairs, std::uint64_t before) {
+    const bool more = until_ ? !until_->rounds || rounds < *until_->rounds
+                             : !governs_entries() || deadline_->goes_on(pairs, before);
+    if (more) return true;
+    rounds_ = rounds;
+    refused_ = true;
+    return false;
+}
+
+void Budget::response_done() {
+    if (deadline_) deadline_->response_done(modelled_.has_value(), rounds_.has_value());
 }
 
 void Budget::expect(const Pace& pace) {

@@ -32,6 +32,14 @@ struct Cut {
     std::optional<Counted> counted = {};  ///< nothing where the clock alone decided
     /// Node pairs that were answered at most, where levels were stored and not all were answered.
     std::optional<std::uint64_t> answered = {};
+    /// On a clock that left no time for all entry levels: of the candidate pairs that meet at level
+    /// 0 so many, chosen by the policy, were taken to their entry levels, and none beyond.
+    std::optional<std::uint64_t> entered = {};
+    /// Candidate pairs whose contacts were modelled when the time was over; those after them touch
+    /// as their root balls do.
+    std::optional<std::uint64_t> modelled = {};
+    /// Rounds of the response before the time was over.
+    std::optional<std::int32_t> rounds = {};
     friend bool operator==(const Cut&, const Cut&) = default;
 };
 
@@ -91,6 +99,37 @@ class Budget {
     /// That so many node pairs were allowed, and that it was not enough for all that was found.
     void answer_only(std::uint64_t node_pairs);
 
+    /// How many of the pairs that meet at level 0 (`all.to_touch`) may be taken to their entry
+    /// levels; the others touch as their root balls do. All, but on a clock that reserves what
+    /// follows.
+    [[nodiscard]] std::uint64_t entries(const Aftermath& all);
+    /// Whether anything beyond the roots may be left out (entries, stops_contacts, goes_on).
+    [[nodiscard]] bool governs_entries() const {
+        return until_ ? until_->entered.has_value() : deadline_ && deadline_->pair_cost() > 0;
+    }
+    /// Whether deeper levels than the entry ones may be begun.
+    [[nodiscard]] bool goes_deeper() const { return !entered_; }
+    /// Says that the entry levels of so many pairs are done.
+    void entries_done(std::uint64_t pairs);
+
+    /// The contacts of so many candidate pairs may be modelled, from the first on; those of all
+    /// behind them are those of root balls.
+    [[nodiscard]] std::uint64_t most_modelled() const {
+        return until_ ? until_->modelled.value_or(no_limit) : no_limit;
+    }
+    /// Whether a clock may end that before.
+    [[nodiscard]] bool governs_contacts() const { return !until_ && governs_entries(); }
+    /// Whether it does: what must follow does not fit any more. Looks at the clock; several threads
+    /// may. Requires: governs_contacts().
+    [[nodiscard]] bool is_late(const Aftermath& after) const { return deadline_->is_late(after); }
+    /// Says from which pair on they were not, where not all were; and what is to be answered.
+    void contacts_done(std::optional<std::uint64_t> modelled, const Aftermath& all);
+    /// Whether a response that has done so many rounds, asking `before` pairs in the last one, may
+    /// ask so many again.
+    [[nodiscard]] bool goes_on(std::int32_t rounds, std::uint64_t pairs, std::uint64_t before);
+    /// Says that the response is done: what follows is measured.
+    void response_done();
+
     /// On a clock: begins to measure how long node tests take, which are expected to take what
     /// earlier frames measured; and what follows the levels, of which the reserve is made.
     void expect(const Pace& pace);
@@ -139,6 +178,9 @@ class Budget {
     std::optional<Counted> counted_;    ///< in force
     std::optional<Counted> undivided_;  ///< while divided
     std::optional<std::uint64_t> answered_;
+    std::optional<std::uint64_t> entered_;
+    std::optional<std::uint64_t> modelled_;
+    std::optional<std::int32_t> rounds_;
     std::optional<Cut> until_;
     std::uint64_t node_pairs_ = 0;
     std::uint64_t limit_ = no_limit;  ///< of tests: the quota less what the node pairs reserve

@@ -17,6 +17,16 @@ double no_leap(double measured, double expected) {
     return std::clamp(measured, 0.5 * expected, 2 * expected);
 }
 
+/// What takes longer counts at once, and less by a part.
+double held(double measured, double expected, double part = 0.0625) {
+    const double next = no_leap(measured, expected);
+    return next > expected ? next : expected + part * (next - expected);
+}
+
+double share(std::chrono::nanoseconds time, double parts) {
+    return static_cast<double>(time.count()) / (std::max)(1.0, parts);
+}
+
 }  // namespace
 
 std::chrono::nanoseconds SteadyClock::now() const {
@@ -78,11 +88,92 @@ std::uint64_t Deadline::join(const Work& done) {
 Pace Deadline::next_pace() const {
     Pace next = expected_;
     if (measured_ > 0) next.test += 0.25 * (no_leap(measured_, expected_.test) - expected_.test);
+    const std::chrono::nanoseconds now = clock_->now();
+    if (measures_after_) learn_after(now, next);
     if (pairs_at_end_ < least_pairs_measured || !(pair_time_ > 0)) return next;
-    const auto taken = static_cast<double>((clock_->now() - levels_end_).count());
-    const double pair = no_leap(taken / static_cast<double>(pairs_at_end_), pair_time_);
-    next.pair = pair > pair_time_ ? pair : pair_time_ + 0.0625 * (pair - pair_time_);
+    next.pair = held(share(now - levels_end_, static_cast<double>(pairs_at_end_)), pair_time_);
+    if (cut_after_) next.pair = (std::max)(next.pair, pair_time_);
     return next;
+}
+
+/// Of what follows the levels. What was cut says nothing of how long all of it takes.
+void Deadline::learn_after(std::chrono::nanoseconds now, Pace& next) const {
+    const auto bodies = static_cast<double>(after_.bodies);
+    const auto contacts = static_cast<double>(after_.contacts);
+    if (entered_ >= least_pairs_measured) {
+        const double by_roots =
+            bodies_of_a_touch * expected_.response * static_cast<double>(after_.to_touch);
+        const auto taken = entry_time_ + (contacts_end_ - levels_end_) -
+                           std::chrono::nanoseconds(static_cast<std::int64_t>(by_roots));
+        const double entry = share(taken, static_cast<double>(entered_));
+        next.entry += 0.25 * (no_leap(entry, expected_.entry) - expected_.entry);
+    }
+    if (after_.bodies < least_pairs_measured) return;
+    next.motion = (std::max)(least_motion, held(share(now - response_end_, bodies), next.motion));
+    // Its later rounds can be ended, so it need not be held for long.
+    const double response =
+        held(share(response_end_ - contacts_end_, bodies + bodies_of_a_contact * contacts),
+             expected_.response, 0.25);
+    next.response = (std::max)({least_response, response, rounds_cut_ ? expected_.response : 0.0});
+}
+
+double Deadline::time_of(const Aftermath& after) const {
+    const auto bodies = static_cast<double>(after.bodies);
+    const double of_contacts =
+        bodies_of_a_contact * static_cast<double>(after.contacts) +
+        (bodies_of_a_contact + bodies_of_a_touch) * static_cast<double>(after.to_touch);
+    return margin *
+           ((expected_.response + expected_.motion) * bodies + expected_.response * of_contacts);
+}
+
+std::uint64_t Deadline::entries(const Aftermath& all) {
+    last_ = (std::max)(last_, clock_->now());
+    entry_begin_ = last_;
+    const auto pairs = static_cast<double>(all.to_touch);
+    const double room = static_cast<double>((end_ - last_).count()) - time_of(all);
+    if (room >= pairs * more_of_an_entry()) return all.to_touch;
+    const double chosen = (room - pairs * to_wait) / more_of_an_entry();
+    return chosen > 0.03125 * pairs ? static_cast<std::uint64_t>(chosen) : 0;
+}
+
+/// Beside what is reserved for it: half of the pairs are then told apart, and touch no more.
+double Deadline::more_of_an_entry() const {
+    const double touch = (bodies_of_a_contact + bodies_of_a_touch) * expected_.response;
+    return (std::max)(0.25 * expected_.entry, expected_.entry - 0.5 * touch);
+}
+
+bool Deadline::is_spent_by(std::uint64_t entered, const Aftermath& all) const {
+    const double room = static_cast<double>((end_ - last_).count()) - time_of(all) -
+                        static_cast<double>(entered) * more_of_an_entry();
+    return room < static_cast<double>(all.to_touch) * to_wait;
+}
+
+void Deadline::entered(std::uint64_t pairs) {
+    entered_ = pairs;
+    entry_time_ = clock_->now() - entry_begin_;
+}
+
+void Deadline::contacts_done(const Aftermath& all) {
+    after_ = all;
+    contacts_end_ = clock_->now();
+    round_end_ = contacts_end_;
+}
+
+bool Deadline::goes_on(std::uint64_t pairs, std::uint64_t before) {
+    const std::chrono::nanoseconds now = clock_->now();
+    // Before the first round the rows are made, which takes about as long.
+    const double round = share(now - round_end_, static_cast<double>(before)) *
+                         (round_end_ == contacts_end_ ? 0.5 : 1.0) * static_cast<double>(pairs);
+    round_end_ = now;
+    const double motion = margin * expected_.motion * static_cast<double>(after_.bodies);
+    return static_cast<double>((end_ - now).count()) >= margin * round + motion;
+}
+
+void Deadline::response_done(bool contacts_cut, bool rounds_cut) {
+    response_end_ = clock_->now();
+    cut_after_ = contacts_cut || rounds_cut;
+    rounds_cut_ = rounds_cut;
+    measures_after_ = true;
 }
 
 bool Deadline::fits(std::uint64_t tests, const Work& done) {

@@ -8,7 +8,8 @@
 
 namespace lod {
 
-/// Where a deadline reads the time. Injected, so that a test owns the clock.
+/// Where a deadline reads the time. Injected, so that a test owns the clock. A frame with an
+/// executor reads it from its threads, too.
 class Clock {
   public:
     virtual ~Clock() = default;
@@ -38,11 +39,21 @@ struct AfterLevels {
     friend bool operator==(const AfterLevels&, const AfterLevels&) = default;
 };
 
+/// What a frame does after its levels, whatever the clock says.
+struct Aftermath {
+    std::uint64_t bodies = 0;
+    std::uint64_t contacts = 0;  ///< made already
+    std::uint64_t to_touch = 0;  ///< pairs that will touch as their root balls do
+};
+
 /// How long things take on a clock, as earlier frames measured it.
 struct Pace {
     double test = 4;  ///< [ns] a node test; before any was measured: of a slow processor
     /// [ns] all that follows the levels, for each node pair of a front; 0: not measured yet.
     double pair = 0;
+    double entry = 700;   ///< [ns] a pair's entry levels and its contacts
+    double response = 8;  ///< [ns] for each body, and as much for a quarter of a contact
+    double motion = 16;   ///< [ns] all that follows the response, for each body
 };
 
 /// A deadline on a clock. The time of node tests is predicted from how long they took so far, and
@@ -79,6 +90,23 @@ class Deadline {
     [[nodiscard]] double tests_left() const;
     /// A node pair's time in node tests.
     [[nodiscard]] double pair_cost() const { return pair_time_ / pace_; }
+    /// Whether what must follow does not fit any more. Looks at the clock; several threads may.
+    [[nodiscard]] bool is_late(const Aftermath& after) const {
+        return static_cast<double>(left().count()) < time_of(after);
+    }
+    /// How many pairs can be taken to their entry levels where all can touch as root balls.
+    [[nodiscard]] std::uint64_t entries(const Aftermath& all);
+    /// Whether beside their entries there is no time to begin with deeper levels. Looks at no
+    /// clock.
+    [[nodiscard]] bool is_spent_by(std::uint64_t entered, const Aftermath& all) const;
+    /// Says that the entry levels of so many pairs are done; and that the contacts are.
+    void entered(std::uint64_t pairs);
+    void contacts_done(const Aftermath& all);
+    /// Whether there is time to ask so many pairs again, of which the last time so many were asked.
+    [[nodiscard]] bool goes_on(std::uint64_t pairs, std::uint64_t before);
+    /// Says that the response is done; and what the clock ended.
+    void response_done(bool contacts_cut, bool rounds_cut);
+
     /// Negative when it is over. Looks at the clock.
     [[nodiscard]] std::chrono::nanoseconds left() const { return end_ - clock_->now(); }
 
@@ -95,8 +123,22 @@ class Deadline {
     /// .02 us.
     static constexpr double least_unread = 64;
     static constexpr double most_unread = 8192;
+    /// Of the response a contact takes as much as so many bodies; a pair that touches as its root
+    /// balls do, besides, to be modelled.
+    static constexpr double bodies_of_a_contact = 4;
+    static constexpr double bodies_of_a_touch = 3;
+    /// Times that are predicted and cannot be ended are taken to be that much longer.
+    static constexpr double margin = 1.02;
+    /// No processor is faster [ns a body].
+    static constexpr double least_response = 0.5;
+    static constexpr double least_motion = 0.5;
+    /// [ns] to weigh a pair and put it into the heap.
+    static constexpr double to_wait = 60;
 
   private:
+    [[nodiscard]] double time_of(const Aftermath& after) const;
+    [[nodiscard]] double more_of_an_entry() const;
+    void learn_after(std::chrono::nanoseconds now, Pace& next) const;
     double read(const Work& done);
     void measure(std::uint64_t tests);
     [[nodiscard]] bool is_far(const Work& done, std::uint64_t tests) const;
@@ -116,6 +158,16 @@ class Deadline {
     std::uint64_t tests_from_ = 0;
     std::chrono::nanoseconds levels_end_;
     std::uint64_t pairs_at_end_ = 0;
+    std::chrono::nanoseconds entry_begin_{};
+    std::chrono::nanoseconds entry_time_{};
+    std::chrono::nanoseconds contacts_end_{};
+    std::chrono::nanoseconds round_end_{};
+    std::chrono::nanoseconds response_end_{};
+    std::uint64_t entered_ = 0;
+    Aftermath after_;
+    bool measures_after_ = false;  ///< response and motion of this frame
+    bool cut_after_ = false;       ///< contacts or response
+    bool rounds_cut_ = false;
 };
 
 }  // namespace lod

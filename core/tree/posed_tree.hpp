@@ -4,6 +4,7 @@
 /// A body's tree carried to the world, as far as it is asked for.
 
 #include <cstddef>
+#include <span>
 
 #include "lodlab/core/math/half_space.hpp"
 #include "lodlab/core/tree/placement.hpp"
@@ -17,7 +18,9 @@ template <int Dim>
 class PosedTree {
   public:
     /// Takes over a pose.
-    void pose(const Body<Dim>& body);
+    void pose(const Body<Dim>& body) { pose(body, Space<Dim>::rotation(body.orientation)); }
+    /// The same of many bodies, faster. Requires: as many trees.
+    static void pose_all(std::span<const Body<Dim>> bodies, std::span<PosedTree> posed);
 
     /// A node's ball, world frame: the same bits each time.
     [[nodiscard]] Sphere<Dim> sphere(int node) const {
@@ -64,6 +67,8 @@ class PosedTree {
     [[nodiscard]] double rounding() const { return rounding_; }
 
   private:
+    void pose(const Body<Dim>& body, const Matrix<Dim>& rotation);
+
     const SphereTree<Dim>* tree_ = nullptr;
     Placement<Dim> placement_;
     Sphere<Dim> root_;

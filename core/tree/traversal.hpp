@@ -51,6 +51,7 @@ struct Front : FrontState {
 struct ListedFront : FrontState {
     Range pairs;            ///< into FrontList::pairs
     std::int32_t list = 0;  ///< of several: which one
+    bool by_roots = false;  ///< its bodies touch as their root balls do
 };
 
 /// The node pairs of many fronts in one list, whatever their number and sizes: a crowd that moves

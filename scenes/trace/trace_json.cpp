@@ -254,6 +254,9 @@ Json json_of(const std::optional<lod::Cut>& cut) {
                            {"pair_cost", cut->counted->pair_cost},
                            {"level_cost", cut->counted->level_cost}};
     if (cut->answered) json["answered"] = *cut->answered;
+    if (cut->entered) json["entered"] = *cut->entered;
+    if (cut->modelled) json["modelled"] = *cut->modelled;
+    if (cut->rounds) json["rounds"] = *cut->rounds;
     return json;
 }
 
@@ -264,6 +267,10 @@ std::optional<lod::Cut> cut_from(const Json& json) {
                  io::whole_number<std::uint64_t>(json.at("tests"))};
     if (json.contains("answered"))
         cut.answered = io::whole_number<std::uint64_t>(json.at("answered"));
+    if (json.contains("entered")) cut.entered = io::whole_number<std::uint64_t>(json.at("entered"));
+    if (json.contains("modelled"))
+        cut.modelled = io::whole_number<std::uint64_t>(json.at("modelled"));
+    if (json.contains("rounds")) cut.rounds = io::whole_number<std::int32_t>(json.at("rounds"));
     if (!json.contains("counted")) return cut;
     const Json& counted = json.at("counted");
     cut.counted = {io::whole_number<std::uint64_t>(counted.at("from")),

@@ -1,9 +1,11 @@
 #include "lodlab/scenes/trace/trace.hpp"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "lodlab/core/exact/ball_union.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
+#include "lodlab/scenes/trace/trace_json.hpp"
 #include "tests/scenes/trace_files.hpp"
 
 TEST_CASE("a trace plays again to the same bits") {
@@ -214,4 +216,17 @@ TEST_CASE(
             if (priority == lod::Priority::trade)
                 CHECK_THROWS_AS(scenes::bodies_at_end<2>(trace, crossing()), lod::Error);
         }
+}
+
+TEST_CASE("what a clock cut stands in a trace, and an older one without it is read") {
+    lod::Cut cut{3, 2, 17, lod::Counted{5, 600, 1.5, 32}, 70};
+    cut.entered = 9;
+    cut.modelled = 11;
+    cut.rounds = 2;
+    CHECK(scenes::cut_from(scenes::json_of(std::optional(cut))) == cut);
+    const lod::Cut older{3, 2, 17};
+    const scenes::Json json = scenes::json_of(std::optional(older));
+    CHECK(json.size() == 3);
+    CHECK(scenes::cut_from(json) == older);
+    CHECK(scenes::cut_from(scenes::json_of(std::nullopt)) == std::nullopt);
 }

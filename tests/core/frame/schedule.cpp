@@ -182,7 +182,7 @@ TEMPLATE_TEST_CASE_SIG("a frame that the clock cut anywhere is repeated under ev
     int ended = 0;
     for (const Priority priority : policies)
         for (const int halt : {1000, 5, 2})
-            for (auto quota = 0ns; quota < 9000ns; quota += 151ns) {
+            for (auto quota = 0ns; quota < 9000ns; quota += 67ns) {
                 const auto organisation = static_cast<Organisation>(quota.count() % 2);
                 const FrameSettings settings{.priority = priority, .organisation = organisation};
                 const HaltingClock clock(halt);
@@ -191,7 +191,8 @@ TEMPLATE_TEST_CASE_SIG("a frame that the clock cut anywhere is repeated under ev
                 FrameStorage<Dim> live;
                 FrameStorage<Dim> replayed;
                 for (int frame = 0; frame < 3; ++frame) {  // trade remembers
-                    Budget budget = Budget::deadline(clock, quota, frame * 20ns);
+                    // Where time is reserved, entry levels and contacts end before levels do.
+                    Budget budget = Budget::deadline(clock, quota, frame == 1 ? 20ns : 0ns);
                     const auto& record = advance<Dim>(first, settings, budget, live);
                     Budget until = record.cut ? Budget::until(*record.cut) : Budget::unlimited();
                     const auto& repeated = advance<Dim>(again, settings, until, replayed);
@@ -205,7 +206,7 @@ TEMPLATE_TEST_CASE_SIG("a frame that the clock cut anywhere is repeated under ev
             }
     CAPTURE(counted, ended);
     CHECK(counted > 50);
-    CHECK(ended > 20);
+    CHECK(ended > 10);
 }
 
 TEMPLATE_TEST_CASE_SIG("a policy of one's own gives the value of each level", "[schedule]",

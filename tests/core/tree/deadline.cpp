@@ -124,3 +124,97 @@ TEST_CASE("the clock is looked at seldom while the deadline is far, and often wh
     clock.time = 1'000'000ns;
     CHECK(deadline.passed({1'000'064, 0}));
 }
+
+namespace {
+
+constexpr Pace round_pace{.test = 4, .pair = 100, .entry = 1000, .response = 10, .motion = 10};
+
+/// Worked by hand: 20 ns a body, 70 ns a pair that touches by its roots, a fiftieth more.
+constexpr Aftermath crowd{.bodies = 100, .contacts = 0, .to_touch = 10};
+constexpr auto what_must_be = 2754ns;
+
+}  // namespace
+
+TEST_CASE("as many pairs enter as there is time for beside what must follow", "[deadline]") {
+    const auto entries = [](std::chrono::nanoseconds left) {
+        const FakeClock clock;
+        Budget budget = Budget::deadline(clock, what_must_be + left, 250ns);
+        budget.expect(round_pace);
+        const std::uint64_t most = budget.entries(crowd);
+        CHECK(budget.goes_deeper() == !budget.cut().has_value());
+        if (budget.cut()) CHECK(budget.cut()->entered == most);
+        return most;
+    };
+    CHECK(entries(-2000ns) == 0);
+    CHECK(entries(900ns) == 0);  // to weigh ten pairs takes 600 ns
+    CHECK(entries(1650ns) == 1);
+    CHECK(entries(5650ns) == 5);
+    CHECK(entries(10'050ns) == 10);  // all, but no deeper level
+    const FakeClock clock;
+    Budget ample = Budget::deadline(clock, what_must_be + 20us, 250ns);
+    ample.expect(round_pace);
+    CHECK(ample.entries(crowd) == 10);
+    CHECK(ample.goes_deeper());
+    CHECK_FALSE(ample.cut());
+}
+
+TEST_CASE("without a clock, or where nothing is reserved, every pair enters", "[deadline]") {
+    const FakeClock clock;
+    for (Budget budget :
+         {Budget::unlimited(), Budget::node_tests(0, 3), Budget::deadline(clock, 0ns)}) {
+        CHECK_FALSE(budget.governs_entries());
+        CHECK(budget.entries(crowd) == crowd.to_touch);
+        CHECK(budget.goes_deeper());
+    }
+}
+
+TEST_CASE("contacts end where what must follow would not fit any more", "[deadline]") {
+    FakeClock clock;
+    Budget budget = Budget::deadline(clock, 10us, 250ns);
+    budget.expect(round_pace);
+    clock.time = 10us - what_must_be - 1ns;
+    CHECK_FALSE(budget.is_late(crowd));
+    clock.time += 2ns;
+    CHECK(budget.is_late(crowd));
+}
+
+TEST_CASE("a round of the response that would not fit beside the motion is not begun",
+          "[deadline]") {
+    FakeClock clock;
+    Budget budget = Budget::deadline(clock, 10us, 250ns);
+    budget.expect(round_pace);
+    budget.contacts_done({}, {.bodies = 100, .contacts = 50, .to_touch = 0});
+    clock.time = 4us;  // 50 pairs took 80 ns each, half of it to make rows
+    CHECK(budget.goes_on(1, 50, 50));
+    clock.time = 6us;  // 40 ns; 2040 ns for 50 more, and 1020 ns to move
+    CHECK(budget.goes_on(2, 50, 50));
+    clock.time = 8us;
+    CHECK_FALSE(budget.goes_on(3, 50, 50));
+    CHECK(budget.cut()->rounds == 3);
+    Budget again = Budget::until(*budget.cut());
+    CHECK(again.goes_on(2, 50, 50));
+    CHECK_FALSE(again.goes_on(3, 50, 50));
+    CHECK(again.cut() == budget.cut());
+}
+
+TEST_CASE("what follows the levels is learnt: more at once, less by a part, cut not at all",
+          "[deadline]") {
+    FakeClock clock;
+    const auto next = [&](std::chrono::nanoseconds response, std::chrono::nanoseconds motion,
+                          bool cut) {
+        Deadline deadline(clock, 1ms, 100ns);
+        deadline.expect(round_pace, {});
+        deadline.levels_done({});
+        deadline.contacts_done({.bodies = 100, .contacts = 25, .to_touch = 0});  // 200 shares
+        clock.time += response;
+        deadline.response_done(false, cut);
+        clock.time += motion;
+        return deadline.next_pace();
+    };
+    CHECK(next(3us, 1200ns, false).response == 15);
+    CHECK(next(3us, 1200ns, false).motion == 12);
+    CHECK(next(1200ns, 800ns, false).response == 9);
+    CHECK(next(1200ns, 800ns, false).motion == 9.875);
+    CHECK(next(1200ns, 1ms, true).response == 10);
+    CHECK(next(1200ns, 1ms, true).motion == 20);  // no more than twice
+}

@@ -119,3 +119,20 @@ TEMPLATE_TEST_CASE_SIG("a node's mean normal turns with the body and keeps its l
         }
     }
 }
+
+TEMPLATE_TEST_CASE_SIG("bodies that are posed together stand as each alone", "[posed]",
+                       ((int Dim), Dim), 2, 3) {
+    Random random(42);
+    std::vector<Body<Dim>> bodies;
+    for (int i = 0; i < 70; ++i) bodies.push_back(placed<Dim>(random, 10));
+    std::vector<PosedTree<Dim>> together(bodies.size());
+    PosedTree<Dim>::pose_all(bodies, together);
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        PosedTree<Dim> alone;
+        alone.pose(bodies[i]);
+        REQUIRE(together[i].rotation() == alone.rotation());
+        REQUIRE(together[i].position() == alone.position());
+        REQUIRE(together[i].root().centre == alone.root().centre);
+        REQUIRE(together[i].rounding() == alone.rounding());
+    }
+}

@@ -149,3 +149,21 @@ TEST_CASE("the angle of a cosine is the inverse of the cosine", "[trigonometry]"
         CHECK(lod::angle_of_cosine(c) == Approx(std::acos(c)).margin(4e-16).epsilon(1e-15));
     }
 }
+
+TEST_CASE("many angles at once have the bits of each alone", "[trigonometry]") {
+    Random random(41);
+    std::vector<double> angles{0, -0.0, pi, -pi, 1e6, 2e6, -3e9};
+    for (const std::size_t count : {0, 1, 15, 16, 17, 1000}) {
+        while (angles.size() < count) angles.push_back(random.in(-20, 20));
+        std::vector<SineCosine> results(angles.size());
+        sine_cosine(angles, results);
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+            const SineCosine alone = sine_cosine(angles[i]);
+            REQUIRE(results[i].sine == alone.sine);
+            REQUIRE(results[i].cosine == alone.cosine);
+        }
+    }
+    SineCosine nowhere{0, 0};
+    sine_cosine(std::vector<double>{std::numeric_limits<double>::quiet_NaN()}, {&nowhere, 1});
+    CHECK(std::isnan(nowhere.sine));
+}
