@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <span>
 #include <vector>
 
@@ -19,7 +18,7 @@ class PairsOfBodies {
     void list(std::size_t bodies, const Each& each) {
         refill(begin_, bodies + 1, 0);
         each([&](std::int32_t body, std::int32_t) { ++begin_[at(body) + 1]; });
-        std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+        for (std::size_t i = 1; i < begin_.size(); ++i) begin_[i] += begin_[i - 1];
         pairs_.resize(at(begin_.back()));
         each([&](std::int32_t body, std::int32_t pair) { pairs_[at(begin_[at(body)]++)] = pair; });
         // Every begin has moved on to its end, the next one's begin.
