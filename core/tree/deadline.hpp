@@ -99,8 +99,9 @@ class Deadline {
     /// Whether beside their entries there is no time to begin with deeper levels. Looks at no
     /// clock.
     [[nodiscard]] bool is_spent_by(std::uint64_t entered, const Aftermath& all) const;
-    /// Says that the entry levels of so many pairs are done; and that the contacts are.
+    /// Says that the entry levels of so many pairs are done.
     void entered(std::uint64_t pairs);
+    /// Says that the contacts are.
     void contacts_done(const Aftermath& all);
     /// Whether there is time to ask so many pairs again, of which the last time so many were asked.
     [[nodiscard]] bool goes_on(std::uint64_t pairs, std::uint64_t before);

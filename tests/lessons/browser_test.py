@@ -298,7 +298,7 @@ def main(book):
         return SKIPPED
     pages = sorted(book.glob("*/index.html"))
     report = Report()
-    report.expect("lessons", len(pages), 9)
+    report.expect("lessons", len(pages), 12)
     with tempfile.TemporaryDirectory() as profile:
         browser = Browser(driver, chromium, profile)
         try:
