@@ -236,8 +236,7 @@ void FrontContacts<Dim>::model(const PosedFront<Dim>& front, const ContactChoice
                                const PairMotion<Dim>& motion, FrontModel<Dim>& found) {
     found.node_pairs.clear();
     found.contacts.clear();
-    if (choice.contact_model == ContactModel::hull && front.a.tree().has_hulls() &&
-        front.b.tree().has_hulls())
+    if (touches_by_hulls(choice, front.a.tree(), front.b.tree()))
         model_hulls(front, motion, found);
     else
         model_balls(front, choice, motion.centre_b - motion.centre_a, found);

@@ -118,6 +118,13 @@ class FrontContacts {
     std::vector<Patch> patches_;        ///< of each root
 };
 
+/// Whether the contacts of two bodies are those of their nodes' hulls.
+template <int Dim>
+[[nodiscard]] bool touches_by_hulls(const ContactChoice& choice, const SphereTree<Dim>& a,
+                                    const SphereTree<Dim>& b) {
+    return choice.contact_model == ContactModel::hull && a.has_hulls() && b.has_hulls();
+}
+
 /// The contact of two bodies as that of their root balls, or of one and a half-space: where there
 /// is no time for hulls. Nothing where rounding alone makes them meet.
 template <int Dim>

@@ -106,9 +106,8 @@ void ContactStage<Dim>::touch_roots(const ContactTask<Dim>& task, std::size_t pa
     result.level = 0;
     const PosedTree<Dim>& a = task.world_S[at(result.bodies.a)];
     const PosedTree<Dim>& b = task.world_S[at(result.bodies.b)];
-    const bool by_hulls = task.choice.contact_model == ContactModel::hull && a.tree().has_hulls() &&
-                          b.tree().has_hulls();
-    if (!by_hulls) return model_front(task, {pair, {&roots, 1}}, worker, lists, result);
+    if (!touches_by_hulls(task.choice, a.tree(), b.tree()))
+        return model_front(task, {pair, {&roots, 1}}, worker, lists, result);
     if (const auto contact = root_contact(a, b)) {
         lists.impacts.push_back({result.bodies.a, result.bodies.b, as_number(pair), *contact});
         lists.contact_nodes.push_back({result.nodes.first, 1});

@@ -19,21 +19,7 @@ constexpr double half_pi_high = std::numbers::pi / 2;
 constexpr double half_pi_low = 6.123233995736766e-17;
 
 // Taylor series on [-pi/4, pi/4]: the first term left out is below 1e-21.
-double short_sine(double x) {
-    const double x2 = x * x;
-    double sum = 0;
-    for (int k = 19; k >= 3; k -= 2) sum = x2 * (1.0 - sum) / (k * (k - 1));
-    return x - x * sum;
-}
-
-double short_cosine(double x) {
-    const double x2 = x * x;
-    double sum = 0;
-    for (int k = 20; k >= 4; k -= 2) sum = x2 * (1.0 - sum) / (k * (k - 1));
-    return 1.0 - 0.5 * x2 * (1.0 - sum);
-}
-
-/// The same of several numbers.
+// Of several numbers side by side: each series is a chain of divisions.
 template <std::size_t Count>
 void short_sines(const std::array<double, Count>& x, std::array<double, Count>& sines) {
     std::array<double, Count> sum{};
@@ -124,7 +110,11 @@ double angle_of_cosine(double cosine) {
 
 SineCosine sine_cosine(double angle) {
     const Reduced reduced(angle);
-    return reduced.turned(short_sine(reduced.x), short_cosine(reduced.x));
+    std::array<double, 1> sine{};
+    std::array<double, 1> cosine{};
+    short_sines<1>({reduced.x}, sine);
+    short_cosines<1>({reduced.x}, cosine);
+    return reduced.turned(sine[0], cosine[0]);
 }
 
 void sine_cosine(std::span<const double> angles, std::span<SineCosine> results) {
@@ -139,7 +129,6 @@ void sine_cosine(std::span<const double> angles, std::span<SineCosine> results) 
             reduced[i] = Reduced(angles[begin + i]);
             x[i] = reduced[i].x;
         }
-        // Each angle's series is a chain of divisions: side by side, not one after the other.
         short_sines(x, sine);
         short_cosines(x, cosine);
         for (std::size_t i = 0; i < count; ++i)
