@@ -1,13 +1,13 @@
 #include "lodlab/io/tree_cache.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 #include <system_error>
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/files/output_file.hpp"
 #include "lodlab/io/files/read_file.hpp"
+#include "lodlab/io/files/user_folder.hpp"
 #include "lodlab/io/sha256.hpp"
 #include "lodlab/io/tree_json.hpp"
 
@@ -51,13 +51,7 @@ void keep(const fs::path& file, const std::string& key, const lod::SphereTree<Di
 }  // namespace
 
 TreeCache TreeCache::of_user() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    if (cache != nullptr && fs::path(cache).is_absolute())
-        return TreeCache(fs::path(cache) / "lodlab");
-    const char* home = std::getenv("HOME");
-    std::error_code ignored;
-    if (home == nullptr || !fs::is_directory(home, ignored)) return {};
-    return TreeCache(fs::path(home) / ".cache" / "lodlab");
+    return TreeCache(lod::user_folder("XDG_CACHE_HOME", ".cache"));
 }
 
 template <int Dim>

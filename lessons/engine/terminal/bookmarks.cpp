@@ -1,12 +1,12 @@
 #include "lessons/engine/terminal/bookmarks.hpp"
 
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/files/output_file.hpp"
 #include "lodlab/io/files/read_file.hpp"
+#include "lodlab/io/files/user_folder.hpp"
 
 namespace lessons {
 namespace {
@@ -28,13 +28,8 @@ Json kept_in(const fs::path& file) {
 }  // namespace
 
 Bookmarks Bookmarks::of_user() {
-    const char* state = std::getenv("XDG_STATE_HOME");
-    if (state != nullptr && fs::path(state).is_absolute())
-        return Bookmarks(fs::path(state) / "lodlab" / "lessons.json");
-    const char* home = std::getenv("HOME");
-    std::error_code ignored;
-    if (home == nullptr || !fs::is_directory(home, ignored)) return Bookmarks({});
-    return Bookmarks(fs::path(home) / ".local" / "state" / "lodlab" / "lessons.json");
+    const fs::path folder = lod::user_folder("XDG_STATE_HOME", fs::path(".local") / "state");
+    return Bookmarks(folder.empty() ? folder : folder / "lessons.json");
 }
 
 int Bookmarks::step(const std::string& lesson) const {
