@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/lod2d/builder/tree_report.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/measure/exact_shapes.hpp"
 #include "lodlab/measure/plane_bodies.hpp"
@@ -37,7 +37,7 @@ Meeting meeting_of(const std::string& a, const std::string& b, int depth) {
 }
 
 Meeting L_and_U() {
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = lod::full_turn / 360;
     Meeting meeting = meeting_of("L", "U", 4);
     Body<2>& a = meeting.a.body;
     Body<2>& b = meeting.b.body;
@@ -133,15 +133,6 @@ viz::Figure over(const std::vector<viz::Run<2>>& runs, const viz::Run<2>& refere
     figure.columns = figure.panels.size() > 1 ? 2 : 1;
     figure.aspect = page_aspect;
     return figure;
-}
-
-measure::MeasuredShape<2> measured(const std::string& name, int depth) {
-    const lod2d::Shape shape = lod2d::generate(name);
-    measure::MeasuredShape<2> result{name, actor(name, shape, tree_of(shape, depth)).body, {}};
-    result.body.exact = measure::exact_shape(shape);
-    for (const lod2d::LevelReport& level : lod2d::report_tree(shape, *result.body.tree).levels)
-        result.protrusion.push_back(level.worst_protrusion);
-    return result;
 }
 
 viz::Curve errors_by_level(const measure::DegradationCurve& curve, int series,

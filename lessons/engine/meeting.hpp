@@ -63,8 +63,6 @@ void add_gap(viz::Panel& panel, const lod::Body<2>& a, const lod::Body<2>& b,
 [[nodiscard]] viz::Figure over(const std::vector<viz::Run<2>>& runs, const viz::Run<2>& reference,
                                double until, const viz::Box& view);
 
-/// A shape as random impacts take it, its tree by pieces.
-[[nodiscard]] measure::MeasuredShape<2> measured(const std::string& name, int depth);
 /// The median error of the impulse at each level but the exact one, with its band.
 [[nodiscard]] viz::Curve errors_by_level(const measure::DegradationCurve& curve, int series,
                                          const std::string& name);

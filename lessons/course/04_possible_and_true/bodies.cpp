@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "lessons/course/04_possible_and_true/lesson.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/lod2d/builder/tree_report.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 
@@ -58,7 +59,7 @@ Bodies near_miss(Bodies bodies) {
 
 Bodies false_collision(const Bodies& bodies) {
     constexpr int angles = 24;
-    constexpr double fifth = turn / 5;
+    constexpr double fifth = lod::full_turn / 5;
     constexpr double further = 0.004;  // [m]: so that the overlap can be seen
     Bodies widest = bodies;
     double most = 0;
@@ -87,7 +88,7 @@ void drop(Bodies& bodies, lod::Random& random) {
     constexpr double side = 1.8;  // [m]: half of the square in which the star is dropped
     const double x = random.next(-side, side);
     const double y = random.next(-side, side);
-    bodies.place_star(Vec(x, y), random.next(0, turn));
+    bodies.place_star(Vec(x, y), random.next(0, lod::full_turn));
 }
 
 }  // namespace lessons::alarms

@@ -33,7 +33,6 @@ struct Bodies {
     [[nodiscard]] lod2d::ClosestPoints closest() const;
 };
 
-constexpr double turn = 6.283185307179586;
 constexpr double first_angle = 0.3;  ///< of the star as it moves in [rad]
 
 /// The star stops so near that level 2 may still reach over the gap, and level 3 may not.

@@ -25,9 +25,8 @@ std::vector<NodePair> tests_after(const Pair& pair, const Front& front) {
 }
 
 bool meet(const Pair& pair, const NodePair& nodes) {
-    const lod::Sphere<2> a = viz::carried_node(pair.a.body, nodes.a);
-    const lod::Sphere<2> b = viz::carried_node(pair.b.body, nodes.b);
-    return (b.centre - a.centre).norm() <= a.radius + b.radius;
+    return lod::overlap(viz::carried_node(pair.a.body, nodes.a),
+                        viz::carried_node(pair.b.body, nodes.b));
 }
 
 /// The tests so far, and what they met.

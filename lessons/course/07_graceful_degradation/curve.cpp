@@ -18,7 +18,12 @@ measure::Outcomes measure_impacts() {
     plan.models = {lod::ContactModel::centre_line, lod::ContactModel::hull};
     plan.responses = {lod::Response::net};
     std::vector<measure::MeasuredShape<2>> shapes;
-    for (const std::string& name : plan.shapes) shapes.push_back(measured(name, depth));
+    scenes::TreeChoice tree;
+    tree.builder = plan.builder;
+    tree.depth = depth;
+    for (const std::string& name : plan.shapes)
+        shapes.push_back(
+            measure::measured_shape<2>(name, scenes::Shapes<2>::named(name, {}), tree, {}));
     return measure::degrade<2>(plan, shapes);
 }
 // end of listing

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lodlab/core/exact/level_impact.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/viz/draw/motion/draw_backtracking.hpp"
 
 namespace lessons {
@@ -23,7 +24,7 @@ lod::TimeOfImpact<2> touch_of(const Meeting& stars) {
 
 /// Two stars that pass each other, their large circles of level 1 towards each other.
 Meeting passing_stars() {
-    constexpr double degree = 3.14159265358979323846 / 180;
+    constexpr double degree = lod::full_turn / 360;
     Meeting stars = meeting_of("star:5", "star:5", 4);
     stars.a.visual.name = "A";
     stars.b.visual.name = "B";
