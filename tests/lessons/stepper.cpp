@@ -42,6 +42,26 @@ std::string session(const std::string& input, const StepperOptions& options = {}
     return out.str();
 }
 
+/// What a lesson prints on a terminal of that size whose reader presses the keys.
+std::string on_terminal(const Lesson& lesson, std::uint16_t columns, std::uint16_t rows,
+                        const std::string& keys) {
+    int screen = -1;
+    int keyboard = -1;
+    winsize window{};
+    window.ws_col = columns;
+    window.ws_row = rows;
+    REQUIRE(openpty(&screen, &keyboard, nullptr, nullptr, &window) == 0);
+    REQUIRE(write(screen, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
+    std::istringstream none;
+    std::ostringstream out;
+    StepperOptions options;
+    options.keyboard = keyboard;
+    step_in_terminal(lesson, none, out, options);
+    close(keyboard);
+    close(screen);
+    return out.str();
+}
+
 /// What the stepper printed for each step it showed, in order: from "[2/7]" to its end.
 std::vector<std::string> texts(const std::string& output) {
     std::vector<std::string> result;
@@ -147,49 +167,19 @@ TEST_CASE("a picture of the reader's own is not replaced, one of the same lesson
 }
 
 TEST_CASE("on a terminal a long text comes by windows, and q is enough of it", "[lessons]") {
-    int master = -1;
-    int terminal = -1;
-    winsize window{};
-    window.ws_col = 40;
-    window.ws_row = 6;
-    REQUIRE(openpty(&master, &terminal, nullptr, nullptr, &window) == 0);
     Lesson lesson = three_steps();
     for (int i = 1; i <= 20; ++i) lesson.text += "Paragraph " + std::to_string(i) + ".\n\n";
-    const std::string keys =
-        "t q"
-        "q";  // its text, one window more, enough; the end
-    REQUIRE(write(master, keys.data(), keys.size()) == static_cast<ssize_t>(keys.size()));
-    std::istringstream none;
-    std::ostringstream out;
-    StepperOptions options;
-    options.keyboard = terminal;
-    step_in_terminal(lesson, none, out, options);
-    close(terminal);
-    close(master);
-    CHECK_THAT(out.str(),
-               lodtest::contains("Paragraph 5."));  // five lines a window, every other blank
-    CHECK(out.str().find("Paragraph 6.") == std::string::npos);
+    // Its text, one window more, enough; the end. Five lines a window, every other blank.
+    const std::string output = on_terminal(lesson, 40, 6, "t qq");
+    CHECK_THAT(output, lodtest::contains("Paragraph 5."));
+    CHECK(output.find("Paragraph 6.") == std::string::npos);
 }
 
 TEST_CASE("text is as wide as the terminal's window", "[lessons]") {
+    Lesson lesson = three_steps();
+    for (int i = 0; i < 40; ++i) lesson.steps[0].text += " word";
     for (const std::uint16_t columns : std::array<std::uint16_t, 2>{40, 60}) {
-        int master = -1;
-        int terminal = -1;
-        winsize window{};
-        window.ws_col = columns;
-        window.ws_row = 24;
-        REQUIRE(openpty(&master, &terminal, nullptr, nullptr, &window) == 0);
-        Lesson lesson = three_steps();
-        for (int i = 0; i < 40; ++i) lesson.steps[0].text += " word";
-        REQUIRE(write(master, "q", 1) == 1);
-        std::istringstream none;
-        std::ostringstream out;
-        StepperOptions options;
-        options.keyboard = terminal;
-        step_in_terminal(lesson, none, out, options);
-        close(terminal);
-        close(master);
-        std::istringstream lines(out.str());
+        std::istringstream lines(on_terminal(lesson, columns, 24, "q"));
         std::size_t widest = 0;
         for (std::string line; std::getline(lines, line);)
             if (line.find("word word") != std::string::npos) widest = std::max(widest, line.size());
