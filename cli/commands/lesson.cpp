@@ -8,8 +8,8 @@
 #include "cli/arguments/misused.hpp"
 #include "cli/stage/pictures.hpp"
 #include "cli/terminal/output.hpp"
-#include "lessons/engine/terminal/bookmarks.hpp"
 #include "lessons/engine/lessons.hpp"
+#include "lessons/engine/terminal/bookmarks.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/scenes/spelling.hpp"
@@ -68,12 +68,13 @@ void fit_to_terminal(lessons::StepperOptions& stepper) {
     if (takes_24_bits()) stepper.colours = viz::TerminalColours::direct;
 }
 
-/// Steps through the lesson from where the student left it, and remembers where she leaves it now.
-void resume(const lessons::Lesson& lesson, lessons::StepperOptions& stepper, bool from_start) {
+/// Steps through the lesson, from where the student left it if asked, and remembers where she
+/// leaves it now.
+void resume(const lessons::Lesson& lesson, lessons::StepperOptions& stepper, bool goes_on) {
     const lessons::Bookmarks bookmarks = lessons::Bookmarks::of_user();
     const int last = static_cast<int>(lesson.steps.size());
     const int left = bookmarks.step(lesson.entry.slug);
-    if (from_start && left > 1 && left <= last) {
+    if (goes_on && left > 1 && left <= last) {
         stepper.first_step = left;
         std::cout << "You left at step " << left << "; g1 begins anew.\n";
     }
