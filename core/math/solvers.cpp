@@ -26,6 +26,24 @@ FixedMatrix<Rows, Cols> outside(const Eigen::Matrix<double, Rows, Cols>& matrix)
     return result;
 }
 
+template <int Size>
+auto eigenvectors_of(const Eigen::Matrix<double, Size, Size>& symmetric) {
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Size, Size>>(symmetric)
+        .eigenvectors()
+        .eval();
+}
+
+/// The same numbers: two rows are tridiagonal as they are, and Eigen's general way to get there
+/// takes longer to compile than the rest of this file.
+Eigen::Matrix2d eigenvectors_of(const Eigen::Matrix2d& symmetric) {
+    double scale = symmetric.cwiseAbs().maxCoeff();
+    if (scale == 0) scale = 1;
+    const Eigen::Vector2d diagonal(symmetric(0, 0) / scale, symmetric(1, 1) / scale);
+    const Eigen::Matrix<double, 1, 1> below(symmetric(1, 0) / scale);
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver;
+    return solver.computeFromTridiagonal(diagonal, below).eigenvectors();
+}
+
 }  // namespace
 
 template <int Size>
@@ -41,8 +59,7 @@ FixedMatrix<Size, Size> inverse(const FixedMatrix<Size, Size>& matrix) {
 
 template <int Dim>
 FixedMatrix<Dim, 1> principal_axis(const FixedMatrix<Dim, Dim>& matrix) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, Dim, Dim>> solver(inside(matrix));
-    const Eigen::Matrix<double, Dim, 1> axis = solver.eigenvectors().col(Dim - 1);
+    const Eigen::Matrix<double, Dim, 1> axis = eigenvectors_of(inside(matrix)).col(Dim - 1);
     return outside(axis);
 }
 
