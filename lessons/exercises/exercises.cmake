@@ -10,9 +10,9 @@ set(exercises
   box_inertia spin_change)
 
 add_executable(lodlab_embed_exercises
-  exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp embed/lines.cpp embed/tool.cpp)
+  exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp)
 target_include_directories(lodlab_embed_exercises PRIVATE ${PROJECT_SOURCE_DIR})
-target_link_libraries(lodlab_embed_exercises PRIVATE lodlab::core lodlab_warnings)
+target_link_libraries(lodlab_embed_exercises PRIVATE lodlab::lesson_texts lodlab_warnings)
 
 list(TRANSFORM exercises PREPEND exercises/tasks/ OUTPUT_VARIABLE tasks)
 list(TRANSFORM tasks APPEND .md OUTPUT_VARIABLE words)
@@ -35,10 +35,9 @@ lodlab_library(exercises STATIC
   exercises/told.cpp
   exercises/words.cpp
   exercises/workshop.cpp
-  embed/lines.cpp
   ${tasks}
   ${embedded})
-target_link_libraries(lodlab_exercises PUBLIC lodlab::core PRIVATE lodlab::io lodlab::io_files)
+target_link_libraries(lodlab_exercises PUBLIC lodlab::core PRIVATE lodlab::lesson_texts lodlab::io lodlab::io_files)
 file(RELATIVE_PATH installed_headers /${CMAKE_INSTALL_BINDIR} /${CMAKE_INSTALL_INCLUDEDIR})
 set_source_files_properties(exercises/attempt.cpp PROPERTIES COMPILE_DEFINITIONS
   "LODLAB_INSTALLED_HEADERS=\"${installed_headers}\";LODLAB_BUILT_HEADERS=\"${lodlab_includes}\"")

@@ -12,7 +12,7 @@ using Collision = measure::Collision<2>;
 using Vec = lod::Vector<2>;
 
 constexpr double short_step = 1.0 / 960;  // [s]
-constexpr double frame_step = 1.0 / 120;  // of pictures [s]
+constexpr double picture_step = 1.0 / 120;  // [s]
 constexpr double usual_scale = 16;        // units of Box2D a metre
 constexpr double skin = 0.01;             // of a polygon, in units of Box2D
 constexpr double velocity_length = 0.4;   // metres of arrow for a metre a second
@@ -43,19 +43,19 @@ viz::Run<2> seen_by_box2d(const Meeting& meeting, double seconds) {
     lod2d::Box2dSettings settings;
     settings.time_step = short_step;
     const std::array<const lod2d::Shape*, 2> shapes{&meeting.shape_a, &meeting.shape_b};
-    const auto frames = static_cast<std::int64_t>(seconds / frame_step + 0.5);
+    const auto frames = static_cast<std::int64_t>(seconds / picture_step + 0.5);
     const lod2d::Box2dRun run =
-        lod2d::run_box2d(meeting.bodies(), shapes, frames, frame_step, settings);
+        lod2d::run_box2d(meeting.bodies(), shapes, frames, picture_step, settings);
     viz::Run<2> result;
     result.name = "Box2D";
     result.visuals = {meeting.a.visual, meeting.b.visual};
-    result.time_step = frame_step;
+    result.time_step = picture_step;
     for (const auto& bodies : run.frames) viz::add_instant(result, bodies, {});
     return result;
 }
 
 viz::Run<2> seen_by_lodlab(const Meeting& meeting, double seconds) {
-    return run_of(meeting, to_the_true_shapes(frame_step), seconds, "lodlab");
+    return run_of(meeting, to_the_true_shapes(picture_step), seconds, "lodlab");
 }
 
 void give_boxes(Lesson& lesson) {
@@ -150,8 +150,8 @@ void give_shapes(Lesson& lesson) {
     };
     give(lesson, "error leaves", error(collision_of(meeting, leaves(short_step), seconds), 3));
     give(lesson, "error level 1", error(collision_of(meeting, level_1(short_step), seconds), 1));
-    const viz::Run<2> ours = run_of(meeting, leaves(frame_step), seconds, "lodlab, leaves");
-    const viz::Run<2> coarse = run_of(meeting, level_1(frame_step), seconds, "lodlab, level 1");
+    const viz::Run<2> ours = run_of(meeting, leaves(picture_step), seconds, "lodlab, leaves");
+    const viz::Run<2> coarse = run_of(meeting, level_1(picture_step), seconds, "lodlab, level 1");
     const viz::Run<2> theirs = seen_by_box2d(meeting, seconds);
     viz::Figure figure = over({coarse, ours}, theirs, seconds, box(-1.45, -0.75, 1.4, 1.0));
     figure.columns = 1;
