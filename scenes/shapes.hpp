@@ -7,7 +7,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
 #include <vector>
 
 #include "lodlab/core/builder/tree_report.hpp"
@@ -175,7 +174,14 @@ struct SpaceShapes {
 /// The table of types: all that scenes and the program must know to treat the plane and space by
 /// one code.
 template <int Dim>
-using Shapes = std::tuple_element_t<Dim - 2, std::tuple<PlaneShapes, SpaceShapes>>;
+struct Shapes;
+/// @{
+/// A type of its own, not another name for one: compilers spell those differently for the linker.
+template <>
+struct Shapes<2> : PlaneShapes {};
+template <>
+struct Shapes<3> : SpaceShapes {};
+/// @}
 /// The shape of a body in so many dimensions.
 template <int Dim>
 using Shape = typename Shapes<Dim>::Shape;
