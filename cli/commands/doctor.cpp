@@ -1,14 +1,12 @@
-#include <unistd.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "cli/arguments/command.hpp"
 #include "cli/terminal/output.hpp"
 #include "lessons/exercises/attempt.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/files/find_program.hpp"
 #include "lodlab/lod2d/source/font.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "lodlab/viz/film/video.hpp"
@@ -27,16 +25,6 @@ struct Finding {
     std::string found;    ///< what is there; empty: missing
     std::string package;  ///< of Debian, that mends it
 };
-
-std::string in_path(const std::string& program) {
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        const std::filesystem::path file = std::filesystem::path(folder) / program;
-        if (::access(file.c_str(), X_OK) == 0) return file.string();
-    }
-    return {};
-}
 
 std::string compiler_if_there() {
     try {
@@ -85,7 +73,8 @@ std::vector<Finding> examine() {
         {"glmark2-data", "real meshes: the bunny of the figures in space", false,
          folder_if_there("/usr/share/glmark2/models"), "glmark2-data"},
         {"C++ compiler", "exercises", false, compiler_if_there(), "g++"},
-        {"chafa", "pictures of a lesson in the terminal", false, in_path("chafa"), "chafa"},
+        {"chafa", "pictures of a lesson in the terminal", false,
+         lod::find_program("chafa").string(), "chafa"},
     };
 }
 

@@ -14,6 +14,7 @@
 #include "lessons/exercises/embedded.hpp"
 #include "lessons/exercises/wire.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/io/files/find_program.hpp"
 #include "lodlab/io/files/output_file.hpp"
 #include "lodlab/io/files/temporary_folder.hpp"
 
@@ -27,17 +28,6 @@ constexpr double answer_seconds = 2;  // of all cases, which take milliseconds
 constexpr std::size_t answer_memory = std::size_t{1} << 30;
 constexpr std::size_t most_shown = 3;
 constexpr const char* folder_for = "the compiler's work";
-
-fs::path in_path(const std::string& program) {
-    if (program.find('/') != std::string::npos)
-        return ::access(program.c_str(), X_OK) == 0 ? fs::path(program) : fs::path();
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "/usr/bin:/bin");
-    for (std::string folder; std::getline(folders, folder, ':');)
-        if (const fs::path file = fs::path(folder) / program; ::access(file.c_str(), X_OK) == 0)
-            return file;
-    return {};
-}
 
 /// What a program that includes core/base/bits.hpp asks of the library that it is not linked to.
 constexpr const char* without_library =
@@ -170,7 +160,7 @@ std::vector<std::string> compiler() {
     std::vector<std::string> words;
     for (std::string word; in >> word;) words.push_back(word);
     if (words.empty()) words.emplace_back("c++");
-    const fs::path program = in_path(words.front());
+    const fs::path program = lod::find_program(words.front());
     if (program.empty())
         throw lod::Error(lod::ErrorKind::not_installed,
                          "no C++ compiler: there is no program " + words.front() +

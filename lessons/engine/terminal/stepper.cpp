@@ -15,6 +15,7 @@
 #include "lessons/engine/terminal/viewer.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
+#include "lodlab/io/files/find_program.hpp"
 #include "lodlab/io/files/read_file.hpp"
 #include "lodlab/io/files/temporary_folder.hpp"
 #include "lodlab/viz/paint/blocks.hpp"
@@ -36,7 +37,7 @@ class Stepper {
   public:
     Stepper(const Lesson& lesson, std::ostream& output, const StepperOptions& options)
         : lesson_(lesson), output_(output), options_(options), answers_(lesson, output, options_) {
-        if (options.show_inline) viewer_ = find_viewer();
+        if (options.show_inline) viewer_ = lod::find_program("chafa");
         if (!viewer_.empty() && options.pictures.empty())
             shown_only_.emplace("pictures that are shown");
         if (options.pictures.empty()) return;

@@ -9,7 +9,6 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <sstream>
 #include <vector>
 
 #include "lodlab/core/base/stop.hpp"
@@ -17,16 +16,6 @@
 extern char** environ;
 
 namespace lessons {
-
-std::filesystem::path find_viewer() {
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        const std::filesystem::path candidate = std::filesystem::path(folder) / "chafa";
-        if (candidate.is_absolute() && access(candidate.c_str(), X_OK) == 0) return candidate;
-    }
-    return {};
-}
 
 bool show_picture(const std::filesystem::path& viewer, const std::filesystem::path& picture,
                   int columns, int rows) {

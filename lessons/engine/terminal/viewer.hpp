@@ -6,11 +6,8 @@
 
 namespace lessons {
 
-/// Where `chafa`, which draws pictures in a terminal, is installed; empty where it is not.
-[[nodiscard]] std::filesystem::path find_viewer();
-
-/// Shows a picture on standard output, in at most columns x rows characters. Returns whether the
-/// viewer said that it did. No shell is involved.
+/// Shows a picture on standard output, in at most columns x rows characters, by the program chafa
+/// that stands at `viewer`. Returns whether it said that it did. No shell is involved.
 bool show_picture(const std::filesystem::path& viewer, const std::filesystem::path& picture,
                   int columns, int rows);
 
