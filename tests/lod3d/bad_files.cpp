@@ -15,7 +15,7 @@ using namespace lodtest;
 
 namespace {
 
-Mesh box() {
+Mesh cube() {
     return lod::make_from_spec(generators(), "box:1,1,1");
 }
 
@@ -40,7 +40,7 @@ TEST_CASE("a good box is accepted in every format", "[bad_files]") {
     const Folder folder;
     for (const std::string& format : formats) {
         INFO(format);
-        const Solid solid = make_solid("it", load_mesh(folder.write(format, box())));
+        const Solid solid = make_solid("it", load_mesh(folder.write(format, cube())));
         CHECK(solid.volume == Approx(1).epsilon(1e-6));
         CHECK(solid.mended.empty());
     }
@@ -50,10 +50,10 @@ TEST_CASE("an empty file, one that is cut short and one of noise are refused", "
     const Folder folder;
     for (const std::string& format : formats) {
         INFO(format);
-        const fs::path whole = folder.write(format, box());
+        const fs::path whole = folder.write(format, cube());
         const auto size = fs::file_size(whole);
         for (const double share : {0.0, 0.3, 0.6, 0.9}) {
-            static_cast<void>(folder.write(format, box()));
+            static_cast<void>(folder.write(format, cube()));
             fs::resize_file(whole, static_cast<std::uintmax_t>(static_cast<double>(size) * share));
             INFO("cut to " << share);
             CHECK(outcome(whole) != "accepted");
@@ -68,7 +68,7 @@ TEST_CASE("a vertex that is no number is refused, whatever the format", "[bad_fi
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
         for (const std::string& format : formats) {
             INFO(format << " with " << bad);
-            Mesh mesh = box();
+            Mesh mesh = cube();
             mesh.vertices[3].y() = bad;
             CHECK(outcome(folder.write(format, mesh)) != "accepted");
         }
@@ -80,7 +80,7 @@ TEST_CASE("a vertex number out of range is refused, whatever the format", "[bad_
         for (const std::string& format : formats) {
             if (format == "stl") continue;  // has no numbers
             INFO(format << " with " << bad);
-            Mesh mesh = box();
+            Mesh mesh = cube();
             mesh.triangles[2][1] = bad;
             CHECK(outcome(folder.write(format, mesh)) != "accepted");
         }
@@ -88,11 +88,11 @@ TEST_CASE("a vertex number out of range is refused, whatever the format", "[bad_
 
 TEST_CASE("one triangle, and triangles without area, bound nothing", "[bad_files]") {
     const Folder folder;
-    Mesh one = box();
+    Mesh one = cube();
     one.triangles.resize(1);
-    Mesh flat = box();
+    Mesh flat = cube();
     for (Point& p : flat.vertices) p.z() = 0.5;
-    Mesh point = box();
+    Mesh point = cube();
     for (Point& p : point.vertices) p = Point(1, 2, 3);
     for (const std::string& format : formats) {
         INFO(format);
@@ -105,7 +105,7 @@ TEST_CASE("one triangle, and triangles without area, bound nothing", "[bad_files
 
 TEST_CASE("triangles without area among good ones do no harm", "[bad_files]") {
     const Folder folder;
-    Mesh mesh = box();
+    Mesh mesh = cube();
     mesh.triangles.push_back({3, 3, 5});
     mesh.triangles.push_back({7, 7, 7});
     for (const std::string& format : formats) {
@@ -116,8 +116,8 @@ TEST_CASE("triangles without area among good ones do no harm", "[bad_files]") {
 
 TEST_CASE("two closed parts are one solid, and inside-out ones are turned", "[bad_files]") {
     const Folder folder;
-    Mesh two = box();
-    const Mesh other = box();
+    Mesh two = cube();
+    const Mesh other = cube();
     for (const Point& p : other.vertices) two.vertices.push_back(0.5 * p + Point(2, 0, 0));
     for (const Triangle& t : other.triangles)
         two.triangles.push_back({t[0] + 8, t[1] + 8, t[2] + 8});
@@ -192,7 +192,7 @@ TEST_CASE("a glTF file whose numbers and lists are of another kind is refused", 
 
 TEST_CASE("a glTF file that requires an extension not read is refused by its name", "[bad_files]") {
     const Folder folder;
-    const std::string good = gltf(box());
+    const std::string good = gltf(cube());
     const auto with = [&](const std::string& more) {
         return outcome(folder.write("more.gltf", "{" + more + "," + good.substr(1)));
     };
@@ -214,7 +214,7 @@ TEST_CASE("a glTF file that requires an extension not read is refused by its nam
 TEST_CASE("a vertex index beyond those of a glTF mesh is named, also in a file of its own",
           "[bad_files]") {
     const Folder folder;
-    Mesh astray = box();
+    Mesh astray = cube();
     astray.triangles.back()[1] = 8;
     const std::string text = gltf(astray);
     const std::string names = "a face of mesh 0 names the vertex index 8, but there are 8 vertices";
@@ -240,12 +240,12 @@ TEST_CASE("a vertex index beyond those of a glTF mesh is named, also in a file o
                                         length(json.size()) + "JSON" + json + length(bytes.size()) +
                                         std::string("BIN\0", 4) + bytes)),
                lodtest::contains(names));
-    CHECK(outcome(folder.write("good.gltf", gltf(box()))) == "accepted");
+    CHECK(outcome(folder.write("good.gltf", gltf(cube()))) == "accepted");
 }
 
 TEST_CASE("a part that a glTF scene places far away keeps its digits", "[bad_files]") {
     const Folder folder;
-    std::string text = gltf(box());
+    std::string text = gltf(cube());
     const std::string node = R"("nodes":[{"mesh":0)";
     text.replace(text.find(node), node.size(), node + R"(,"translation":[1000000,-2000000,0.5])");
     const Solid solid = make_solid("it", load_mesh(folder.write("placed.gltf", text)));

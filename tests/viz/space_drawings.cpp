@@ -27,7 +27,7 @@ Actor<3> cube(double x, int depth) {
 }
 
 /// Two balls of one node each, meeting head-on (m 1, v 2 meets m 3, v -1: j = 4.5).
-Run<3> head_on(int frames) {
+Run<3> head_on_in_space(int frames) {
     const auto body = [](double mass, double x, double speed) {
         lod::Body<3> ball;
         lod::set_mass<3>(ball, mass, lod::Inertia<3>::Identity());
@@ -120,7 +120,7 @@ TEST_CASE("contacts of two cubes stand where they touch on the panel", "[space][
 }
 
 TEST_CASE("the strip of a collision in space tells impulse, times and ends", "[space][drawings]") {
-    const Run<3> run = head_on(64);
+    const Run<3> run = head_on_in_space(64);
     const Figure figure = strips<3>({run});
     REQUIRE(figure.panels.size() == 3);
     CHECK(balls_of(figure.panels[1], Role::true_collision) == 2);
@@ -134,7 +134,7 @@ TEST_CASE("the strip of a collision in space tells impulse, times and ends", "[s
 }
 
 TEST_CASE("bodies turn the shorter way between two instants", "[space][drawings]") {
-    Run<3> run = head_on(2);
+    Run<3> run = head_on_in_space(2);
     const auto about_z = [](double angle) {
         return lod::Space<3>::turned(lod::Quaternion::Identity(), angle * Vector3::UnitZ());
     };
@@ -147,7 +147,7 @@ TEST_CASE("bodies turn the shorter way between two instants", "[space][drawings]
 
 TEST_CASE("the film of a simulation in space plots momentum along three axes",
           "[space][drawings]") {
-    const Run<3> run = head_on(32);
+    const Run<3> run = head_on_in_space(32);
     const Figure figure = simulation_picture(run, 0.25);
     REQUIRE(figure.panels.size() == 3);
     int curves = 0;

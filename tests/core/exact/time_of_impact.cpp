@@ -24,7 +24,7 @@ std::optional<double> meeting(const Vector<Dim>& x, const Vector<Dim>& v, double
 }
 
 template <int Dim>
-Body<Dim> flying_ball(Random& random) {
+Body<Dim> flying_ball(lodtest::Random& random) {
     auto body = exact_ball<Dim>(1, random.in(0.1, 1), {0, 0});
     body.position = random_vector<Dim>(random, 3);
     body.velocity = random_vector<Dim>(random, 4);
@@ -36,7 +36,7 @@ Body<Dim> flying_ball(Random& random) {
 
 TEMPLATE_TEST_CASE_SIG("balls meet when the quadratic equation says so", "[impact]",
                        ((int Dim), Dim), 2, 3) {
-    Random random(71);
+    lodtest::Random random(71);
     int met = 0;
     for (int round = 0; round < 2000; ++round) {
         const auto a = flying_ball<Dim>(random);
@@ -166,7 +166,7 @@ TEST_CASE("the time of impact refuses what it can't search", "[impact]") {
 
 TEMPLATE_TEST_CASE_SIG("exact motion is the motion of the frames", "[impact]", ((int Dim), Dim), 2,
                        3) {
-    Random random(5);
+    lodtest::Random random(5);
     for (int round = 0; round < 50; ++round) {
         const auto start = random_body<Dim>(random);
         const double h = 1.0 / 240;

@@ -8,25 +8,15 @@
 #include "lodlab/lod2d/shape/distance.hpp"
 #include "lodlab/lod2d/source/font.hpp"
 #include "tests/catch.hpp"
+#include "tests/refusal.hpp"
 
 using namespace lod2d;
+using namespace lodtest;
 
 namespace {
 
-struct Refusal {
-    lod::ErrorKind kind;
-    std::string line;
-};
-
-Refusal refusal(std::string_view spec, const LoadSettings& settings = {}) {
-    try {
-        (void)load_shape(spec, settings);
-    } catch (const lod::Error& error) {
-        CHECK(std::string_view(error.what()).find('\n') == std::string_view::npos);
-        return {error.kind(), error.what()};
-    }
-    FAIL("accepted: " << spec);
-    return {};
+Refusal load_refusal(std::string_view spec, const LoadSettings& settings = {}) {
+    return refusal_of(spec, [&] { return load_shape(spec, settings); });
 }
 
 std::size_t holes_of(const Shape& shape) {
@@ -48,11 +38,11 @@ TEST_CASE("a spec names a generator, a text or a file", "[load]") {
     large.outline.size = 4;
     CHECK(load_shape(file.string(), large).area == Approx(8).epsilon(1e-8));
     std::filesystem::remove(file);
-    CHECK(refusal(file.string()).kind == lod::ErrorKind::input_refused);
+    CHECK(load_refusal(file.string()).kind == lod::ErrorKind::input_refused);
 }
 
 TEST_CASE("a spec that names nothing is answered with what is understood", "[load]") {
-    const Refusal refused = refusal("dodecahedron");
+    const Refusal refused = load_refusal("dodecahedron");
     CHECK(refused.kind == lod::ErrorKind::usage);
     CHECK(refused.line.find(".svg") != std::string::npos);
     CHECK(refused.line.find("text:R") != std::string::npos);
@@ -83,16 +73,16 @@ TEST_CASE("letters stand upright and side by side", "[font]") {
 
 TEST_CASE("a text that cannot be drawn is refused with its reason", "[font]") {
     using enum lod::ErrorKind;
-    CHECK(refusal("text:").kind == input_refused);
-    CHECK(refusal("text:   ").kind == input_refused);
-    CHECK(refusal("text:\xff").kind == input_refused);
-    CHECK(refusal("text:\xc3").kind == input_refused);
-    CHECK(refusal("text:" + std::string(201, 'x')).kind == limit_exceeded);
-    const Refusal missing = refusal("text:a\xf3\xb0\x80\x80");  // a plane for private use
+    CHECK(load_refusal("text:").kind == input_refused);
+    CHECK(load_refusal("text:   ").kind == input_refused);
+    CHECK(load_refusal("text:\xff").kind == input_refused);
+    CHECK(load_refusal("text:\xc3").kind == input_refused);
+    CHECK(load_refusal("text:" + std::string(201, 'x')).kind == limit_exceeded);
+    const Refusal missing = load_refusal("text:a\xf3\xb0\x80\x80");  // a plane for private use
     CHECK(missing.kind == input_refused);
     CHECK(missing.line.find("U+F0000") != std::string::npos);
     CHECK(missing.line.find("no glyph") != std::string::npos);
-    CHECK(refusal("text:a\nb").line.find("U+000A") != std::string::npos);
+    CHECK(load_refusal("text:a\nb").line.find("U+000A") != std::string::npos);
 }
 
 TEST_CASE("without any font the line that installs one is given", "[font]") {
@@ -100,7 +90,7 @@ TEST_CASE("without any font the line that installs one is given", "[font]") {
     std::ofstream(config) << "<?xml version='1.0'?><!DOCTYPE fontconfig SYSTEM 'fonts.dtd'>"
                              "<fontconfig></fontconfig>";
     ::setenv("FONTCONFIG_FILE", config.c_str(), 1);
-    const Refusal refused = refusal("text:R");
+    const Refusal refused = load_refusal("text:R");
     ::unsetenv("FONTCONFIG_FILE");
     std::filesystem::remove(config);
     CHECK(refused.kind == lod::ErrorKind::not_installed);

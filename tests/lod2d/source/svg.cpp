@@ -8,8 +8,10 @@
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/lod2d/shape/distance.hpp"
 #include "tests/catch.hpp"
+#include "tests/refusal.hpp"
 
 using namespace lod2d;
+using namespace lodtest;
 using std::numbers::pi;
 
 namespace {
@@ -32,21 +34,10 @@ double fullness(const std::string& body, const std::string& attributes = "") {
     return shape.area;
 }
 
-struct Refusal {
-    lod::ErrorKind kind;
-    std::string line;
-};
-
 Refusal refusal(const std::string& text, const SvgSettings& settings = {}) {
-    try {
-        (void)parse_svg("test.svg", text, settings);
-    } catch (const lod::Error& error) {
-        CHECK(std::string_view(error.what()).find('\n') == std::string_view::npos);
-        CHECK(std::string_view(error.what()).find("test.svg") != std::string_view::npos);
-        return {error.kind(), error.what()};
-    }
-    FAIL("accepted: " << text);
-    return {};
+    const Refusal refused = refusal_of(text, [&] { return parse_svg("test.svg", text, settings); });
+    CHECK(refused.line.find("test.svg") != std::string::npos);
+    return refused;
 }
 
 void check_refused(const std::string& text, std::string_view must_name) {
