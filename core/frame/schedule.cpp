@@ -115,12 +115,8 @@ void Scheduler<Dim>::deepen(const Frame& frame, std::size_t pair, int deepest, F
     const PosedTree<Dim>& a = frame.a(pair);
     const PosedTree<Dim>& b = frame.b(pair);
     const int entry = std::max(entry_level(a, b, frame.task.levels.begin_at_entry), deepest);
-    Budget enough = Budget::unlimited();
-    while (front.level < entry && !front.finest) {
-        const std::uint64_t before = front.tests;
-        if (refine(a, b, enough, front, list) == Refinement::interrupted) break;
-        note(pair, front.tests - before);
-    }
+    const std::uint64_t last = refine_to(a, b, entry, front, list);
+    if (last > 0) note(pair, last);
 }
 
 /// Takes as many pairs to their entry levels as there is time for, those first that matter most.

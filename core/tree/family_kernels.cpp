@@ -232,8 +232,7 @@ LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
             _mm_loadl_epi64(reinterpret_cast<const __m128i*>(numbers + 8 * part)));
         const __m512i of_a = _mm512_srli_epi64(eight, 3);
         const __m512i of_b = _mm512_slli_epi64(_mm512_and_si512(eight, column), 32);
-        std::int64_t base = 0;
-        std::memcpy(&base, &found.first[part / 8], 8);
+        const std::int64_t base = found.first(part / 8);
         _mm512_storeu_si512(begin[part / 8] + part % 8 * 8,
                             _mm512_add_epi32(_mm512_set1_epi64(base), _mm512_or_si512(of_a, of_b)));
     }
@@ -262,8 +261,7 @@ LOD_INLINE NodePair* list_hits(const FoundHits& found, NodePair* out) {
     for (std::size_t i = 0; i < row_count; ++i) {
         const std::size_t row = rows[i];
         const auto* const columns = reinterpret_cast<const char*>(&bit_numbers[bytes[row]]);
-        std::int64_t base = 0;
-        std::memcpy(&base, &found.first[row / 8], 8);
+        const std::int64_t base = found.first(row / 8);
         const __m256i of_row = _mm256_set1_epi64x(base + static_cast<std::int64_t>(row % 8));
         for (int half = 0; half < halves; ++half) {
             std::int32_t four = 0;
@@ -310,8 +308,7 @@ FamiliesTested test_pairs(const FamilyTests<Dim>& tests, const NodePair* pairs, 
                 met = block.template test<8>(pair);
             else if (pair.count_a > 0)
                 met = block.template test<4>(pair);
-            found.hits[n] = met.maybe;
-            found.first[n] = {pair.first_a, pair.first_b};
+            found.set(n, met.maybe, pair);
             doubtful |= static_cast<std::uint32_t>(met.doubtful) << n;
             test_count += static_cast<std::uint32_t>(pair.count_a * pair.count_b);
             eldest_a = std::min(eldest_a, pair.eldest_a());
@@ -346,8 +343,7 @@ std::size_t test_families(const FamilyTests<Dim>& tests, const FamilyPair& pair,
             part.count_a = 1;
             part.count_b = pair.count_b - k < small_family ? pair.count_b - k : small_family;
             const Hits met = block.template test<8>(part);
-            found.hits[0] = met.doubtful ? settled(block, tests, part, met.maybe) : met.maybe;
-            found.first[0] = {part.first_a, part.first_b};
+            found.set(0, met.doubtful ? settled(block, tests, part, met.maybe) : met.maybe, part);
             end = list_hits(found, end);
         }
     return static_cast<std::size_t>(end - out);

@@ -134,8 +134,19 @@ struct Hits {
 struct FoundHits {
     static constexpr std::size_t most = 32;  ///< families
     std::uint64_t hits[most];
-    NodePair first[most];  ///< of each family
+    std::int32_t first_a[most];  ///< of each family; not pairs, which would all be set to zero
+    std::int32_t first_b[most];
     std::size_t count;
+
+    LOD_INLINE void set(std::size_t n, std::uint64_t hits_of_family, const FamilyPair& family) {
+        hits[n] = hits_of_family;
+        first_a[n] = family.first_a;
+        first_b[n] = family.first_b;
+    }
+    /// The first nodes of a family as NodePair lies in memory on x86-64.
+    [[nodiscard]] LOD_INLINE std::int64_t first(std::size_t n) const {
+        return static_cast<std::int64_t>(first_b[n]) << 32 | static_cast<std::uint32_t>(first_a[n]);
+    }
 };
 
 /// What the tests of some node pairs' families came to.

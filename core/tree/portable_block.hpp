@@ -114,7 +114,7 @@ inline NodePair* list_portably(const FoundHits& found, NodePair* out) {
         for (std::uint64_t left = found.hits[n]; left != 0; out += 4)
             for (int k = 0; k < 4; ++k) {
                 const int bit = __builtin_ctzll(left | std::uint64_t{1} << 63);
-                out[k] = {found.first[n].a + bit / 8, found.first[n].b + bit % 8};
+                out[k] = {found.first_a[n] + bit / 8, found.first_b[n] + bit % 8};
                 left &= left - 1;
             }
         out = end;

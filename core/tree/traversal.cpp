@@ -54,22 +54,34 @@ bool meets_border(const HalfSpace<Dim>& half_space, const Sphere<Dim>& ball, dou
     return half_space.side(ball.centre) <= ball.radius + 2 * slack;
 }
 
-/// One level in the making.
+/// One level in the making, or one after the other of the same two bodies.
 template <int Dim>
 class Level {
   public:
     /// What is found is appended to the list. `reserved`: node pairs of the front that the budget
     /// reserves already.
-    Level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budget, FrontList& list,
+    Level(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget* budget, FrontList& list,
           std::size_t reserved)
-        : a_(a), b_(b), budget_(budget), list_(list), reserved_(reserved) {}
+        : a_(a),
+          b_(b),
+          budget_(budget != nullptr && budget->is_unlimited() ? nullptr : budget),
+          list_(list),
+          reserved_(reserved) {}
+
+    /// Makes what is found from now on another level, behind all that the list holds.
+    void begin_next() {
+        begin_ = list_.size();
+        tests_ = 0;
+        eldest_a_ = detail::FamilyPair::none;
+        eldest_b_ = detail::FamilyPair::none;
+    }
 
     /// All of the level, or false where the budget ended before it was done. By number: the list
     /// may move while it grows.
     bool expand_all(const ListedFront& front) {
         const bool done = a_.is_half_space() || b_.is_half_space() ? expand_border(front)
                                                                    : expand_families(front);
-        return done && budget_.keeps_level(more_pairs());
+        return done && (budget_ == nullptr || budget_->keeps_level(more_pairs()));
     }
 
     /// Whether all that was tested were leaves, for only leaves come after the last node with
@@ -92,10 +104,11 @@ class Level {
 
     /// Asks the budget for so many tests. Returns false when it ended.
     bool pay(std::int32_t wanted) {
-        if (wanted == 0) return true;
-        const auto granted = budget_.grant(static_cast<std::uint64_t>(wanted), more_pairs());
+        const auto asked = static_cast<std::uint64_t>(wanted);
+        const bool is_free = wanted == 0 || budget_ == nullptr;
+        const std::uint64_t granted = is_free ? asked : budget_->grant(asked, more_pairs());
         tests_ += granted;
-        return granted == static_cast<std::uint64_t>(wanted);
+        return granted == asked;
     }
 
     [[nodiscard]] NodePair pair_of(const ListedFront& front, std::size_t i) const {
@@ -128,7 +141,7 @@ class Level {
     }
 
     bool expand_families(const ListedFront& front) {
-        const bool unlimited = budget_.is_unlimited();
+        const bool unlimited = budget_ == nullptr;
         const auto count = static_cast<std::size_t>(front.pairs.count);
         for (std::size_t i = 0; i < count;) {
             std::size_t some = std::min(count - i, pairs_at_once);
@@ -144,9 +157,8 @@ class Level {
             note(done);
             if (unlimited) tests_ += done.tests;
             i += done.node_pairs;
-            if (done.node_pairs < some && !test_large(pair_of(front, i++), unlimited)) return false;
+            if (done.node_pairs < some && !test_large(pair_of(front, i++))) return false;
         }
-        if (unlimited) budget_.spend(tests_);
         return true;
     }
 
@@ -173,8 +185,8 @@ class Level {
 
     /// Families that are not small, part by part, in the order of their node pairs. Returns false
     /// where the budget ended.
-    bool test_large(const NodePair& nodes, bool unlimited) {
-        const std::int32_t most = unlimited ? most_at_once : most_between_questions;
+    bool test_large(const NodePair& nodes) {
+        const std::int32_t most = budget_ == nullptr ? most_at_once : most_between_questions;
         const detail::FamilyPair pair = families_.families_of(nodes);
         const bool whole = pair.count_b <= most && pair.count_a <= most / pair.count_b;
         const std::int32_t rows = whole ? pair.count_a : pair.count_b == 1 ? most : 1;
@@ -188,10 +200,7 @@ class Level {
                 part.count_a = std::min(rows, pair.count_a - i);
                 part.count_b = std::min(most, pair.count_b - k);
                 const std::int32_t wanted = part.count_a * part.count_b;
-                if (unlimited)
-                    tests_ += static_cast<std::uint64_t>(wanted);
-                else if (!pay(wanted))
-                    return false;
+                if (!pay(wanted)) return false;
                 NodePair* const out =
                     list_.room_for(static_cast<std::size_t>(wanted) + detail::room_beyond);
                 note({1, kernel_.of_families(families_, part, out), 0, part.eldest_a(),
@@ -205,10 +214,10 @@ class Level {
 
     const PosedTree<Dim>& a_;
     const PosedTree<Dim>& b_;
-    Budget& budget_;
+    Budget* const budget_;  ///< nothing: without a limit
     FrontList& list_;
     const std::size_t reserved_;
-    const std::size_t begin_ = list_.size();
+    std::size_t begin_ = list_.size();
     std::uint64_t tests_ = 0;
     const Families families_{a_, b_};
     const detail::FamilyKernel<Dim>& kernel_ =
@@ -245,21 +254,14 @@ void test_roots(const PosedTree<Dim>& a, const PosedTree<Dim>& b, ListedFront& f
     conclude(front, leaves, front.pairs.count > 0 && !leaves);
 }
 
+namespace {
+
+/// Makes a level that is done the front's.
 template <int Dim>
-Refinement refine(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budget,
-                  ListedFront& front, FrontList& list) {
-    Level<Dim> level(a, b, budget, list, static_cast<std::size_t>(front.pairs.count));
-    const bool done = level.expand_all(front);
-    front.tests += level.tests();
-    if (!done) {
-        list.shorten(level.begin());
-        return Refinement::interrupted;
-    }
+void finish(const PosedTree<Dim>& a, const PosedTree<Dim>& b, const Level<Dim>& level,
+            ListedFront& front, FrontList& list) {
     list.replace(front, level.begin());
-    if (level.only_leaves()) {
-        conclude(front, front.pairs.count > 0, false);
-        return Refinement::finished;
-    }
+    if (level.only_leaves()) return conclude(front, front.pairs.count > 0, false);
     bool any_leaf_pair = false;
     bool any_children = false;
     for (const NodePair& pair : list.pairs_of(front)) {
@@ -268,7 +270,37 @@ Refinement refine(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budg
         any_children |= !leaves;
     }
     conclude(front, any_leaf_pair, any_children);
+}
+
+}  // namespace
+
+template <int Dim>
+Refinement refine(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budget,
+                  ListedFront& front, FrontList& list) {
+    Level<Dim> level(a, b, &budget, list, static_cast<std::size_t>(front.pairs.count));
+    const bool done = level.expand_all(front);
+    front.tests += level.tests();
+    if (budget.is_unlimited()) budget.spend(level.tests());
+    if (!done) {
+        list.shorten(level.begin());
+        return Refinement::interrupted;
+    }
+    finish(a, b, level, front, list);
     return Refinement::finished;
+}
+
+template <int Dim>
+std::uint64_t refine_to(const PosedTree<Dim>& a, const PosedTree<Dim>& b, int last,
+                        ListedFront& front, FrontList& list) {
+    if (front.finest || front.level >= last) return 0;
+    Level<Dim> level(a, b, nullptr, list, 0);
+    for (;;) {
+        static_cast<void>(level.expand_all(front));
+        front.tests += level.tests();
+        finish(a, b, level, front, list);
+        if (front.finest || front.level >= last) return level.tests();
+        level.begin_next();
+    }
 }
 
 template <int Dim>
@@ -317,8 +349,7 @@ bool overlap_at(const PosedTree<Dim>& a, const PosedTree<Dim>& b, int level, Fro
     const std::size_t before = room.size();
     ListedFront front;
     test_roots(a, b, front, room);
-    Budget budget = Budget::unlimited();
-    Level<Dim> deeper(a, b, budget, room, 0);
+    Level<Dim> deeper(a, b, nullptr, room, 0);
     const int deepest = std::max(a.tree().levels(), b.tree().levels()) - 1;
     const bool found = lead_down(deeper, room, front.pairs, std::min(level, deepest));
     room.shorten(before);
@@ -330,6 +361,8 @@ bool overlap_at(const PosedTree<Dim>& a, const PosedTree<Dim>& b, int level, Fro
                              FrontList&);                                                 \
     template Refinement refine(const PosedTree<Dim>&, const PosedTree<Dim>&, Budget&,     \
                                ListedFront&, FrontList&);                                 \
+    template std::uint64_t refine_to(const PosedTree<Dim>&, const PosedTree<Dim>&, int,   \
+                                     ListedFront&, FrontList&);                           \
     template std::vector<Front> traverse_levels(const Body<Dim>&, const Body<Dim>&, int); \
     template bool overlap_at(const PosedTree<Dim>&, const PosedTree<Dim>&, int, FrontList&);
 LOD_INSTANTIATE(2)

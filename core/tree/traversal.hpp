@@ -112,6 +112,12 @@ template <int Dim>
 [[nodiscard]] Refinement refine(const PosedTree<Dim>& a, const PosedTree<Dim>& b, Budget& budget,
                                 ListedFront& front, FrontList& list);
 
+/// The same level after level, without a limit, up to `last` or to the finest. Returns the node
+/// tests of the last one that was made; 0 where there was none to make.
+template <int Dim>
+std::uint64_t refine_to(const PosedTree<Dim>& a, const PosedTree<Dim>& b, int last,
+                        ListedFront& front, FrontList& list);
+
 /// Whether any nodes of two bodies' trees overlap at a level, deeper ones counting as the deepest:
 /// the verdict of refine's front there, `apart` or not, but by the first pair that is found. `room`
 /// is left as it was.
