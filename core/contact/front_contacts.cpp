@@ -110,16 +110,14 @@ std::optional<Manifold<Dim>> FrontContacts<Dim>::meet_nodes(const PosedFront<Dim
         return std::nullopt;
     if (std::exchange(posed_a_, nodes.a) != nodes.a)
         hull_a_.pose(hulls_a.of(nodes.a), a.rotation(), motion.centre_a);
-    hull_b_.pose(hulls_b.of(nodes.b), b.rotation(), motion.centre_b);
+    if (std::exchange(posed_b_, nodes.b) != nodes.b)
+        hull_b_.pose(hulls_b.of(nodes.b), b.rotation(), motion.centre_b);
     return meet(hull_a_, hull_b_, motion, slack);
 }
 
-/// The group of two hulls, a new one where there is none. Neighbours often share it: `last` is that
-/// of the pair before.
+/// The group of two hulls, a new one where there is none.
 template <int Dim>
-std::int32_t FrontContacts<Dim>::group_of(const NodePair& best, std::int32_t last,
-                                          std::size_t mask) {
-    if (last >= 0 && spoken_[at(last)].best == best) return last;
+std::int32_t FrontContacts<Dim>::group_of(const NodePair& best, std::size_t mask) {
     // Two odd constants that spread neighbouring numbers over all bits (those of Random).
     std::uint64_t place = static_cast<std::uint64_t>(best.a) * 0x9e3779b97f4a7c15u +
                           static_cast<std::uint64_t>(best.b) * 0xbf58476d1ce4e5b9u;
@@ -146,15 +144,18 @@ void FrontContacts<Dim>::group_by_hulls(const PosedFront<Dim>& front) {
     if (next_.size() < front.pairs.size()) next_.resize(front.pairs.size());
     ++front_number_;
     spoken_.clear();
-    std::int32_t last = -1;
-    for (std::size_t i = 0; i < front.pairs.size(); ++i) {
-        const NodePair best{hulls_a.best(front.pairs[i].a), hulls_b.best(front.pairs[i].b)};
-        last = group_of(best, last, room - 1);
-        Spoken& group = spoken_[at(last)];
-        const auto pair = static_cast<std::int32_t>(i);
-        (group.last < 0 ? group.first : next_[at(group.last)]) = pair;
-        group.last = pair;
-        next_[i] = -1;
+    NodePair last{-1, -1};  // neighbours often share a group
+    std::int32_t group = 0;
+    const auto count = static_cast<std::int32_t>(front.pairs.size());
+    for (std::int32_t pair = 0; pair < count; ++pair) {
+        const auto& [a, b] = front.pairs[at(pair)];
+        const NodePair best{hulls_a.best(a), hulls_b.best(b)};
+        if (!(best == last)) group = group_of(best, room - 1);
+        last = best;
+        Spoken& spoken = spoken_[at(group)];
+        (spoken.last < 0 ? spoken.first : next_[at(spoken.last)]) = pair;
+        spoken.last = pair;
+        next_[at(pair)] = -1;
     }
     if (spoken_.size() < 2) return;
     std::sort(spoken_.begin(), spoken_.end(), [](const Spoken& x, const Spoken& y) {
@@ -170,17 +171,19 @@ void FrontContacts<Dim>::model_hulls(const PosedFront<Dim>& front, const PairMot
     group_by_hulls(front);
     touches_.clear();
     posed_a_ = -1;
+    posed_b_ = -1;
+    found.node_pairs.resize(front.pairs.size());
+    std::int32_t kept = 0;
     const Placement<Dim> b_in_a = seen_from(a.placement(), front.b.placement());
     for (const Spoken& group : spoken_) {
         const auto manifold = meet_nodes(front, b_in_a, group.best, motion);
         if (!manifold) continue;
-        const std::size_t first = found.node_pairs.size();
+        const std::int32_t first = kept;
         for (std::int32_t i = group.first; i >= 0; i = next_[at(i)])
-            found.node_pairs.push_back(front.pairs[at(i)]);
-        const Range nodes{static_cast<std::int32_t>(first),
-                          static_cast<std::int32_t>(found.node_pairs.size() - first)};
-        if (!manifold->parts(motion)) touches_.push_back({*manifold, nodes});
+            found.node_pairs[at(kept++)] = front.pairs[at(i)];
+        if (!manifold->parts(motion)) touches_.push_back({*manifold, {first, kept - first}});
     }
+    found.node_pairs.resize(at(kept));
     keep_deepest();
     for (const auto& [manifold, nodes] : touches_)
         for (std::size_t k = 0; k < manifold.count; ++k)

@@ -90,7 +90,7 @@ class FrontContacts {
     };
 
     void group_by_hulls(const PosedFront<Dim>& front);
-    [[nodiscard]] std::int32_t group_of(const NodePair& best, std::int32_t last, std::size_t mask);
+    [[nodiscard]] std::int32_t group_of(const NodePair& best, std::size_t mask);
     void model_hulls(const PosedFront<Dim>& front, const PairMotion<Dim>& motion,
                      FrontModel<Dim>& found);
     [[nodiscard]] std::optional<Manifold<Dim>> meet_nodes(const PosedFront<Dim>& front,
@@ -112,6 +112,7 @@ class FrontContacts {
     PosedHull<Dim> hull_a_;
     std::int32_t posed_a_ = -1;  ///< the node that hull_a_ is of
     PosedHull<Dim> hull_b_;
+    std::int32_t posed_b_ = -1;
     std::vector<std::int32_t> first_a_;  ///< of each node of A: the first pair that has it, or -1
     std::vector<std::int32_t> first_b_;
     std::vector<std::int32_t> joined_;  ///< union-find over pairs; a patch is named by its root

@@ -22,8 +22,22 @@ struct Axis {
     const HullEdge* edge_b = nullptr;
     Vector<Dim> normal = Vector<Dim>::Zero();  ///< from A to B; of edges
 
-    [[nodiscard]] bool before(const Axis& other) const {
-        return inner != other.inner ? other.inner : measure < other.measure;
+    /// Whether one that is inner or not, and of that measure, comes before it.
+    [[nodiscard]] bool yields_to(bool other_inner, double other_measure) const {
+        return inner != other_inner ? inner : other_measure < measure;
+    }
+};
+
+/// By how much two hulls overlap along an axis, and for how long.
+struct Overlap {
+    double depth = 0;
+    double since = 0;     ///< [s]; where it is recent
+    bool recent = false;  ///< it began within the last time step
+
+    Overlap(double overlap, double speed, double time_step) : depth(overlap) {
+        if (speed <= 0 || overlap > speed * time_step) return;
+        since = overlap / speed;
+        recent = true;
     }
 };
 
@@ -69,6 +83,18 @@ struct Axes {
         const bool known = recent.measure < never && recent.inner == shallow.inner;
         return known ? recent : shallow;
     }
+    /// Whether an axis would become one of the two.
+    [[nodiscard]] bool take(bool inner, const Overlap& overlap) const {
+        return shallow.yields_to(inner, overlap.depth) ||
+               (overlap.recent && recent.yields_to(inner, overlap.since));
+    }
+    /// Takes an axis into account; `gain`: what its depth is divided by (edge_gain).
+    void consider(Axis<Dim> axis, const Overlap& overlap, double gain = 1) {
+        axis.measure = overlap.depth / gain;
+        if (shallow.yields_to(axis.inner, axis.measure)) shallow = axis;
+        axis.measure = overlap.since;
+        if (overlap.recent && recent.yields_to(axis.inner, axis.measure)) recent = axis;
+    }
 };
 
 /// The corner that lies lowest along the normal.
@@ -92,17 +118,6 @@ constexpr double least_crossing = 1e-3;
 /// the face is right, for it has more than one point.
 constexpr double edge_gain = 0.95;
 
-/// Takes an axis into account, along which the hulls overlap by `depth` and near each other at
-/// `speed`.
-template <int Dim>
-void consider(Axis<Dim> axis, double depth, double speed, double time_step, Axes<Dim>& axes) {
-    axis.measure = axis.edge_a != nullptr ? depth / edge_gain : depth;
-    if (axis.before(axes.shallow)) axes.shallow = axis;
-    if (speed <= 0 || depth > speed * time_step) return;
-    axis.measure = depth / speed;
-    if (axis.before(axes.recent)) axes.recent = axis;
-}
-
 /// A hull whose faces are looked at, and the one that they may separate it from.
 template <int Dim>
 struct Faces {
@@ -121,13 +136,16 @@ bool look(const Faces<Dim>& faces, const PairMotion<Dim>& motion, double slack, 
         const std::size_t corner = lowest(other, normal);
         const double depth = own.offsets[face] - normal.dot(other.corners[corner]);
         if (depth < -slack) return false;
+        const double speed = (of_b ? 1 : -1) * normal.dot(motion.velocity_b - motion.velocity_a);
+        const Overlap overlap(depth, speed, motion.time_step);
         Axis<Dim> axis;
         axis.face = face;
         axis.of_b = of_b;
-        axis.inner = own.body.inner[face] != 0 || (is_cut(other, corner, Vector<Dim>(-normal)) &&
-                                                   depth < sunk * height_along(other, normal));
-        const double speed = (of_b ? 1 : -1) * normal.dot(motion.velocity_b - motion.velocity_a);
-        consider(axis, depth, speed, motion.time_step, axes);
+        axis.inner = own.body.inner[face] != 0;
+        if (!axes.take(axis.inner, overlap)) continue;  // nor would it as an inner one
+        axis.inner = axis.inner || (is_cut(other, corner, Vector<Dim>(-normal)) &&
+                                    depth < sunk * height_along(other, normal));
+        axes.consider(axis, overlap);
     }
     return true;
 }
@@ -199,8 +217,8 @@ bool look_at_edges(const PosedHull<Dim>& a, const PosedHull<Dim>& b, const PairM
             axis.edge_a = &edge_a;
             axis.edge_b = &edge_b;
             axis.normal = normal;
-            consider(axis, depth, -normal.dot(motion.velocity_b - motion.velocity_a),
-                     motion.time_step, axes);
+            const double speed = -normal.dot(motion.velocity_b - motion.velocity_a);
+            axes.consider(axis, Overlap(depth, speed, motion.time_step), edge_gain);
         }
     }
     return true;
@@ -241,8 +259,9 @@ struct ContactFace {
 
     /// What of it lies where normal . x <= offset.
     void clip(const Vector<Dim>& normal, double offset) {
-        const std::array<Vector<Dim>, 2 * most_hull_corners<Dim>> before = corners;
+        std::array<Vector<Dim>, 2 * most_hull_corners<Dim>> before;
         const std::size_t end = std::exchange(count, 0);
+        std::copy_n(corners.begin(), end, before.begin());
         clip_corners<Dim>(
             std::span(before).first(end), Space<Dim>::facets_close,
             [&](const Vector<Dim>& p) { return normal.dot(p) - offset; },
