@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lodlab/core/response/impact.hpp"
+#include "lodlab/core/response/touched_bodies.hpp"
 
 namespace lod {
 
@@ -30,7 +30,8 @@ struct ImpactRow {
     std::int32_t contact = 0;
 
     /// Equation (3), and the size of the terms that it is the sum of.
-    [[nodiscard]] double closing(const Body<Dim>& a, const Body<Dim>& b, double& size) const {
+    [[nodiscard]] double closing(const TouchedBody<Dim>& a, const TouchedBody<Dim>& b,
+                                 double& size) const {
         const double linear_a = normal.dot(a.velocity);
         const double linear_b = normal.dot(b.velocity);
         const double angular_a = moment_a.dot(a.spin);

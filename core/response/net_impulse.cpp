@@ -25,24 +25,24 @@ constexpr std::size_t rows_of_a_part = 256;
 
 template <int Dim>
 ResponseReport NetImpulse<Dim>::resolve(std::span<const Impact<Dim>> impacts,
-                                        std::span<const Inertia<Dim>> world_inverse_inertia,
-                                        Bodies bodies, std::span<double> impulses,
+                                        std::span<Body<Dim>> bodies, std::span<double> impulses,
                                         int most_visits) {
     report_ = {};
-    inverse_inertia_ = world_inverse_inertia;
+    touched_.gather(impacts, bodies, executor);
     prepare(impacts, bodies);
-    list_neighbours(bodies);
+    list_neighbours();
     asked_.resize(pairs_.size());
     std::iota(asked_.begin(), asked_.end(), 0);
     for (std::int32_t rounds = 1; !asked_.empty(); ++rounds) {
         ++round_;
         const std::size_t asked = asked_.size();
-        ask(bodies);
-        round(bodies, impulses);
+        ask();
+        round(impulses);
         ask_neighbours(most_visits);
         if (!goes_on(rounds, asked)) break;
     }
-    report_rest(bodies, most_visits);
+    report_rest(most_visits);
+    touched_.give_back(bodies);
     return report_;
 }
 
@@ -61,19 +61,19 @@ void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts,
         std::sort(order_.begin(), order_.end(), before);
     pairs_.clear();
     const auto fetch = [&](std::int32_t contact) {
-        prefetch(bodies[at(impacts[at(contact)].a)]);
-        prefetch(bodies[at(impacts[at(contact)].b)]);
+        prefetch(touched_[touched_.number(impacts[at(contact)].a)]);
+        prefetch(touched_[touched_.number(impacts[at(contact)].b)]);
     };
     each_fetched(order_, fetch, [&](std::int32_t contact, std::size_t i) {
         const Impact<Dim>& impact = impacts[at(contact)];
         if (i == 0 || impacts[at(order_[i - 1])].pair != impact.pair) {
             Pair& pair = pairs_.emplace_back();
-            pair.a = impact.a;
-            pair.b = impact.b;
+            pair.a = touched_.number(impact.a);
+            pair.b = touched_.number(impact.b);
             pair.first = static_cast<std::int32_t>(i);
             pair.restitution = pair_restitution(bodies[at(impact.a)], bodies[at(impact.b)]);
-            pair.moves_a = !bodies[at(impact.a)].is_static();
-            pair.moves_b = !bodies[at(impact.b)].is_static();
+            pair.moves_a = !touched_[pair.a].is_static();
+            pair.moves_b = !touched_[pair.b].is_static();
         }
         pairs_.back().end = static_cast<std::int32_t>(i) + 1;
     });
@@ -81,31 +81,32 @@ void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts,
     each_part(executor, rows_.size(), rows_of_a_part, [&](const Part& part) {
         const auto some = std::span(order_).subspan(part.begin, part.end - part.begin);
         each_fetched(some, fetch, [&](std::int32_t contact, std::size_t i) {
-            rows_[part.begin + i] = row(impacts[at(contact)], bodies);
+            rows_[part.begin + i] = row(impacts[at(contact)]);
             rows_[part.begin + i].contact = contact;
         });
     });
-    body_.resize(std::max(body_.size(), bodies.size()));
+    body_.resize(std::max(body_.size(), touched_.size()));
     if (queued_.size() < pairs_.size()) queued_.resize(pairs_.size(), 0);
 }
 
 template <int Dim>
-auto NetImpulse<Dim>::row(const Impact<Dim>& impact, std::span<const Body<Dim>> bodies) const
-    -> Row {
+auto NetImpulse<Dim>::row(const Impact<Dim>& impact) const -> Row {
+    const std::int32_t a = touched_.number(impact.a);
+    const std::int32_t b = touched_.number(impact.b);
     Row row;
     const Vector<Dim>& normal = row.normal = impact.contact.normal;
     const Vector<Dim>& point = impact.contact.point;
-    row.moment_a = Space<Dim>::moment(point - bodies[at(impact.a)].position, normal);
-    row.moment_b = Space<Dim>::moment(point - bodies[at(impact.b)].position, normal);
-    const double K = inverse_norm(impact.a, {normal, row.moment_a}, bodies) +
-                     inverse_norm(impact.b, {normal, row.moment_b}, bodies);
+    row.moment_a = Space<Dim>::moment(point - touched_[a].position, normal);
+    row.moment_b = Space<Dim>::moment(point - touched_[b].position, normal);
+    const double K =
+        inverse_norm(a, {normal, row.moment_a}) + inverse_norm(b, {normal, row.moment_b});
     row.mass = K > 0 ? 1 / K : 0;
     return row;
 }
 
 template <int Dim>
-void NetImpulse<Dim>::list_neighbours(std::span<const Body<Dim>> bodies) {
-    neighbours_.list(bodies.size(), [&](const auto& visit) {
+void NetImpulse<Dim>::list_neighbours() {
+    neighbours_.list(touched_.size(), [&](const auto& visit) {
         for (std::size_t p = 0; p < pairs_.size(); ++p) {
             if (pairs_[p].moves_a) visit(pairs_[p].a, static_cast<std::int32_t>(p));
             if (pairs_[p].moves_b) visit(pairs_[p].b, static_cast<std::int32_t>(p));
@@ -115,24 +116,22 @@ void NetImpulse<Dim>::list_neighbours(std::span<const Body<Dim>> bodies) {
 
 /// Which pairs of this round approach.
 template <int Dim>
-void NetImpulse<Dim>::ask(std::span<const Body<Dim>> bodies) {
+void NetImpulse<Dim>::ask() {
     asked_parts_.resize(parts_of(executor, asked_.size(), pairs_of_a_part));
     approaching_.resize(asked_.size());
     each_part(executor, asked_.size(), pairs_of_a_part, [&](const Part& part) {
         Asked done;
         done.begin = part.begin;
         const auto fetch = [&](std::int32_t p) {
-            for (const std::int32_t body : {pairs_[at(p)].a, pairs_[at(p)].b}) {
-                prefetch(bodies[at(body)]);
-                prefetch(inverse_inertia_[at(body)]);
-            }
+            prefetch(touched_[pairs_[at(p)].a]);
+            prefetch(touched_[pairs_[at(p)].b]);
         };
         const auto some = std::span(asked_).subspan(part.begin, part.end - part.begin);
         each_fetched(some, fetch, [&](std::int32_t p, std::size_t) {
             Pair& pair = pairs_[at(p)];
             done.most_visits = std::max(done.most_visits, ++pair.visits);
             done.row_visits += static_cast<std::uint64_t>(pair.end - pair.first);
-            if (approaches(pair, bodies)) approaching_[done.begin + done.approaching++] = p;
+            if (approaches(pair)) approaching_[done.begin + done.approaching++] = p;
         });
         asked_parts_[part.number] = done;
     });
@@ -148,14 +147,14 @@ void NetImpulse<Dim>::ask(std::span<const Body<Dim>> bodies) {
 
 /// Whether the pair approaches now; then its push and its scale are those of this round.
 template <int Dim>
-bool NetImpulse<Dim>::approaches(Pair& pair, std::span<const Body<Dim>> bodies) {
+bool NetImpulse<Dim>::approaches(Pair& pair) {
     pair.push_a = {};
     pair.push_b = pair.push_a;
     double work = 0;
     for (std::int32_t r = pair.first; r < pair.end; ++r) {
         Row& row = rows_[at(r)];
         double size = 0;
-        const double u = row.closing(bodies[at(pair.a)], bodies[at(pair.b)], size);
+        const double u = row.closing(touched_[pair.a], touched_[pair.b], size);
         pair.threshold = std::max(pair.threshold, settled_share * size);
         row.direction = u < -pair.threshold ? -u * row.mass : 0;
         if (row.direction == 0) continue;
@@ -166,8 +165,8 @@ bool NetImpulse<Dim>::approaches(Pair& pair, std::span<const Body<Dim>> bodies) 
         pair.push_b.angular += row.direction * row.moment_b;
     }
     if (work == 0) return false;
-    pair.norm_a = inverse_norm(pair.a, pair.push_a, bodies);
-    pair.norm_b = inverse_norm(pair.b, pair.push_b, bodies);
+    pair.norm_a = inverse_norm(pair.a, pair.push_a);
+    pair.norm_b = inverse_norm(pair.b, pair.push_b);
     pair.scale = (1 + pair.restitution) * (work / (pair.norm_a + pair.norm_b));
     for (Push* push : {&pair.push_a, &pair.push_b}) {
         push->linear = pair.scale * push->linear;
@@ -257,17 +256,17 @@ void NetImpulse<Dim>::add_pushes(std::span<const std::int32_t> to,
 
 /// The inverse-mass product of a pair's push and all that the round pushes the body with.
 template <int Dim>
-double NetImpulse<Dim>::product(std::int32_t body, const Push& push,
-                                std::span<const Body<Dim>> bodies) const {
-    if (bodies[at(body)].is_static()) return 0;
+double NetImpulse<Dim>::product(std::int32_t body, const Push& push) const {
+    const TouchedBody<Dim>& touched = touched_[body];
+    if (touched.is_static()) return 0;
     const Push& all = body_[at(body)].push;
-    return bodies[at(body)].inverse_mass * push.linear.dot(all.linear) +
-           push.angular.dot(inverse_inertia_[at(body)] * all.angular);
+    return touched.inverse_mass * push.linear.dot(all.linear) +
+           push.angular.dot(touched.inverse_inertia * all.angular);
 }
 
 /// The scales of clusters that lean on common bodies: few, as a rule, in a crowd.
 template <int Dim>
-void NetImpulse<Dim>::relax(std::span<const Body<Dim>> bodies) {
+void NetImpulse<Dim>::relax() {
     const auto leaning = [&](std::int32_t body) {
         return body_[at(root_of(&BodyRound::group, body))].leans;
     };
@@ -284,7 +283,7 @@ void NetImpulse<Dim>::relax(std::span<const Body<Dim>> bodies) {
         for (const std::int32_t p : leaning_pairs_) {
             const Pair& pair = pairs_[at(p)];
             body_[at(pair.cluster)].reaction +=
-                product(pair.a, pair.push_a, bodies) + product(pair.b, pair.push_b, bodies);
+                product(pair.a, pair.push_a) + product(pair.b, pair.push_b);
         }
         for (const std::int32_t body : leaning_bodies_) {
             BodyRound& cluster = body_[at(body)];
@@ -300,7 +299,7 @@ void NetImpulse<Dim>::relax(std::span<const Body<Dim>> bodies) {
 
 /// One round: the net impulse of all pairs that approach.
 template <int Dim>
-void NetImpulse<Dim>::round(Bodies bodies, std::span<double> impulses) {
+void NetImpulse<Dim>::round(std::span<double> impulses) {
     changed_.clear();
     each_pair(approaching_, [&](const Pair& pair) {
         if (pair.moves_a) enter(pair.a, pair.norm_a);
@@ -313,40 +312,40 @@ void NetImpulse<Dim>::round(Bodies bodies, std::span<double> impulses) {
         const std::int32_t group = root_of(&BodyRound::group, pair.cluster);
         if (root_of(&BodyRound::cluster, group) != pair.cluster) body_[at(group)].leans = true;
     });
-    relax(bodies);
+    relax();
     add_pushes(changed_, approaching_);
-    apply(bodies, impulses);
+    apply(impulses);
 }
 
 template <int Dim>
 template <class Visit>
-void NetImpulse<Dim>::each_changed(std::span<const Body<Dim>> bodies, const Visit& visit) {
+void NetImpulse<Dim>::each_changed(const Visit& visit) {
     const auto fetch = [&](std::int32_t body) {
         prefetch(body_[at(body)]);
-        prefetch(inverse_inertia_[at(body)]);
-        prefetch(bodies[at(body)]);
+        prefetch(touched_[body]);
     };
     each_fetched(changed_, fetch, [&](std::int32_t body, std::size_t) { visit(body); });
 }
 
 /// Changes the bodies, and with them the impulses, by what makes the energy of each group exact.
 template <int Dim>
-void NetImpulse<Dim>::apply(Bodies bodies, std::span<double> impulses) {
-    each_changed(bodies, [&](std::int32_t body) {
+void NetImpulse<Dim>::apply(std::span<double> impulses) {
+    each_changed([&](std::int32_t body) {
         const BodyRound& entry = body_[at(body)];
         BodyRound& group = body_[at(root_of(&BodyRound::group, body))];
-        group.group_norm += inverse_norm(body, entry.push, bodies);
+        group.group_norm += inverse_norm(body, entry.push);
         group.group_squares += entry.scale * entry.squares;
     });
     const auto scale = [&](std::int32_t body) {
         const BodyRound& group = body_[at(root_of(&BodyRound::group, body))];
         return group.group_norm > 0 ? group.group_squares / group.group_norm : 0;
     };
-    each_changed(bodies, [&](std::int32_t body) {
+    each_changed([&](std::int32_t body) {
         const double s = scale(body);
         const Push& push = body_[at(body)].push;
-        bodies[at(body)].velocity += bodies[at(body)].inverse_mass * (s * push.linear);
-        bodies[at(body)].spin += inverse_inertia_[at(body)] * (s * push.angular);
+        TouchedBody<Dim>& touched = touched_[body];
+        touched.velocity += touched.inverse_mass * (s * push.linear);
+        touched.spin += touched.inverse_inertia * (s * push.angular);
     });
     each_pair(approaching_, [&](const Pair& pair) {
         const double s = scale(pair.cluster) * body_[at(pair.cluster)].scale * pair.scale;
@@ -377,14 +376,13 @@ bool NetImpulse<Dim>::goes_on(std::int32_t rounds, std::size_t before) {
 
 /// What goes on approaching; only a pair that was not asked to its end can.
 template <int Dim>
-void NetImpulse<Dim>::report_rest(std::span<const Body<Dim>> bodies, int most_visits) {
+void NetImpulse<Dim>::report_rest(int most_visits) {
     for (const Pair& pair : pairs_) {
         if (pair.visits < most_visits) continue;
         report_.row_visits += static_cast<std::uint64_t>(pair.end - pair.first);
         for (std::int32_t r = pair.first; r < pair.end; ++r) {
             double size = 0;
-            const double speed =
-                -rows_[at(r)].closing(bodies[at(pair.a)], bodies[at(pair.b)], size);
+            const double speed = -rows_[at(r)].closing(touched_[pair.a], touched_[pair.b], size);
             if (rows_[at(r)].mass == 0 || speed <= pair.threshold) continue;
             ++report_.approaching;
             report_.fastest = std::max(report_.fastest, speed);

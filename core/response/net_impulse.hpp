@@ -52,14 +52,11 @@ template <int Dim>
 class NetImpulse {
   public:
     /// Resolves all contacts; adds each one's impulse [N s] to `impulses`, same order as `impacts`.
-    /// `world_inverse_inertia` is of each body.
-    ResponseReport resolve(std::span<const Impact<Dim>> impacts,
-                           std::span<const Inertia<Dim>> world_inverse_inertia,
-                           std::span<Body<Dim>> bodies, std::span<double> impulses,
-                           int most_visits);
+    ResponseReport resolve(std::span<const Impact<Dim>> impacts, std::span<Body<Dim>> bodies,
+                           std::span<double> impulses, int most_visits);
 
-    /// Whose threads work out contacts, and what pairs by themselves ask for; nothing: the calling
-    /// one alone. It must outlive resolve, whose bits do not depend on it.
+    /// Whose threads gather bodies, work out contacts and what pairs by themselves ask for;
+    /// nothing: the calling one alone. It must outlive resolve, whose bits do not depend on it.
     Executor* executor = nullptr;
     /// Whose clock may end it after any round but the first; nothing: no clock. It must outlive
     /// resolve.
@@ -69,7 +66,7 @@ class NetImpulse {
     using Row = ImpactRow<Dim>;
     using Push = ImpactPush<Dim>;
     struct Pair {
-        std::int32_t a = 0;
+        std::int32_t a = 0;  ///< into touched_
         std::int32_t b = 0;
         std::int32_t first = 0;  ///< into rows_
         std::int32_t end = 0;
@@ -109,18 +106,16 @@ class NetImpulse {
         std::uint64_t row_visits = 0;
     };
     using Set = std::int32_t BodyRound::*;
-    using Bodies = std::span<Body<Dim>>;
 
     void prepare(std::span<const Impact<Dim>> impacts, std::span<const Body<Dim>> bodies);
-    [[nodiscard]] Row row(const Impact<Dim>& impact, std::span<const Body<Dim>> bodies) const;
-    void list_neighbours(std::span<const Body<Dim>> bodies);
+    [[nodiscard]] Row row(const Impact<Dim>& impact) const;
+    void list_neighbours();
     /// The push's square by the body's inverse mass and inertia.
-    [[nodiscard]] double inverse_norm(std::int32_t body, const Push& push,
-                                      std::span<const Body<Dim>> bodies) const {
-        return push.inverse_norm(bodies[at(body)].inverse_mass, inverse_inertia_[at(body)]);
+    [[nodiscard]] double inverse_norm(std::int32_t body, const Push& push) const {
+        return push.inverse_norm(touched_[body].inverse_mass, touched_[body].inverse_inertia);
     }
-    void ask(std::span<const Body<Dim>> bodies);
-    [[nodiscard]] bool approaches(Pair& pair, std::span<const Body<Dim>> bodies);
+    void ask();
+    [[nodiscard]] bool approaches(Pair& pair);
     [[nodiscard]] std::int32_t root_of(Set set, std::int32_t body);
     void unite(Set set, std::int32_t a, std::int32_t b);
     void enter(std::int32_t body, double norm);
@@ -130,17 +125,16 @@ class NetImpulse {
     template <class Visit>
     void each_pair(std::span<const std::int32_t> pairs, const Visit& visit);
     template <class Visit>
-    void each_changed(std::span<const Body<Dim>> bodies, const Visit& visit);
-    void relax(std::span<const Body<Dim>> bodies);
-    [[nodiscard]] double product(std::int32_t body, const Push& push,
-                                 std::span<const Body<Dim>> bodies) const;
-    void apply(Bodies bodies, std::span<double> impulses);
-    void round(Bodies bodies, std::span<double> impulses);
+    void each_changed(const Visit& visit);
+    void relax();
+    [[nodiscard]] double product(std::int32_t body, const Push& push) const;
+    void apply(std::span<double> impulses);
+    void round(std::span<double> impulses);
     void ask_neighbours(int most_visits);
     [[nodiscard]] bool goes_on(std::int32_t rounds, std::size_t before);
-    void report_rest(std::span<const Body<Dim>> bodies, int most_visits);
+    void report_rest(int most_visits);
 
-    std::span<const Inertia<Dim>> inverse_inertia_;
+    TouchedBodies<Dim> touched_;
     std::vector<std::int32_t> order_;  ///< contacts, pair by pair
     std::vector<Row> rows_;
     std::vector<Pair> pairs_;

@@ -15,16 +15,17 @@ ResponseReport Resolver<Dim>::resolve(Response response, Impacts impacts, Bodies
     report_ = {};
     refill(impulses, impacts.size(), 0.0);
     if (impacts.empty()) return report_;
+    if (response == Response::net) {
+        net_.executor = executor;
+        net_.budget = budget;
+        return net_.resolve(impacts, bodies, impulses, most_visits);
+    }
     inverse_inertia_.resize(bodies.size());
     each_part(executor, bodies.size(), bodies_of_a_part, [&](const Part& part) {
         for (std::size_t i = part.begin; i < part.end; ++i)
             inverse_inertia_[i] = world_inverse_inertia(bodies[i]);
     });
     switch (response) {
-        case Response::net:
-            net_.executor = executor;
-            net_.budget = budget;
-            return net_.resolve(impacts, inverse_inertia_, bodies, impulses, most_visits);
         case Response::sum:
             resolve_independently(false, impacts, bodies, impulses);
             break;
