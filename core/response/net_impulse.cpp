@@ -29,7 +29,7 @@ ResponseReport NetImpulse<Dim>::resolve(std::span<const Impact<Dim>> impacts,
                                         int most_visits) {
     report_ = {};
     touched_.gather(impacts, bodies, executor);
-    prepare(impacts, bodies);
+    prepare(impacts);
     list_neighbours();
     asked_.resize(pairs_.size());
     std::iota(asked_.begin(), asked_.end(), 0);
@@ -47,8 +47,7 @@ ResponseReport NetImpulse<Dim>::resolve(std::span<const Impact<Dim>> impacts,
 }
 
 template <int Dim>
-void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts,
-                              std::span<const Body<Dim>> bodies) {
+void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts) {
     order_.resize(impacts.size());
     std::iota(order_.begin(), order_.end(), 0);
     const auto before = [&](std::int32_t x, std::int32_t y) {
@@ -71,7 +70,7 @@ void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts,
             pair.a = touched_.number(impact.a);
             pair.b = touched_.number(impact.b);
             pair.first = static_cast<std::int32_t>(i);
-            pair.restitution = pair_restitution(bodies[at(impact.a)], bodies[at(impact.b)]);
+            pair.restitution = std::min(touched_[pair.a].restitution, touched_[pair.b].restitution);
             pair.moves_a = !touched_[pair.a].is_static();
             pair.moves_b = !touched_[pair.b].is_static();
         }

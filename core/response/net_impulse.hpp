@@ -107,7 +107,7 @@ class NetImpulse {
     };
     using Set = std::int32_t BodyRound::*;
 
-    void prepare(std::span<const Impact<Dim>> impacts, std::span<const Body<Dim>> bodies);
+    void prepare(std::span<const Impact<Dim>> impacts);
     [[nodiscard]] Row row(const Impact<Dim>& impact) const;
     void list_neighbours();
     /// The push's square by the body's inverse mass and inertia.

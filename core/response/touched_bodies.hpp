@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,6 +19,7 @@ struct TouchedBody {
     double inverse_mass = 0;
     Inertia<Dim> inverse_inertia;  ///< world frame
     Vector<Dim> position;
+    double restitution = 1;
     std::int32_t body = 0;  ///< its number among all
 
     /// As Body's of the same name.
@@ -41,7 +43,10 @@ class TouchedBodies {
             list_.emplace_back().body = static_cast<std::int32_t>(i);
         }
         each_part(executor, list_.size(), bodies_of_a_part, [&](const Part& part) {
-            for (std::size_t i = part.begin; i < part.end; ++i) take(bodies, list_[i]);
+            for (std::size_t i = part.begin; i < part.end; ++i) {
+                prefetch(bodies[at(list_[std::min(i + ahead, part.end - 1)].body)]);
+                take(bodies, list_[i]);
+            }
         });
     }
     /// Gives their velocities back.
@@ -61,6 +66,8 @@ class TouchedBodies {
     [[nodiscard]] const TouchedBody<Dim>& operator[](std::int32_t i) const { return list_[at(i)]; }
 
   private:
+    static constexpr std::size_t ahead = 8;  ///< bodies that are fetched before they are needed
+
     static void take(std::span<const Body<Dim>> bodies, TouchedBody<Dim>& touched) {
         const Body<Dim>& body = bodies[at(touched.body)];
         touched.velocity = body.velocity;
@@ -68,6 +75,7 @@ class TouchedBodies {
         touched.inverse_mass = body.inverse_mass;
         touched.inverse_inertia = world_inverse_inertia(body);
         touched.position = body.position;
+        touched.restitution = body.restitution;
     }
 
     std::vector<std::int32_t> number_;  ///< of each body: its number here
