@@ -30,11 +30,6 @@ double closing_velocity(const Body<Dim>& a, const Body<Dim>& b, const Contact<Di
 }
 
 template <int Dim>
-double pair_restitution(const Body<Dim>& a, const Body<Dim>& b) {
-    return std::min(a.restitution, b.restitution);
-}
-
-template <int Dim>
 double inverse_effective_mass(const Body<Dim>& a, const Body<Dim>& b, const Contact<Dim>& contact) {
     return inverse_effective_mass<Dim>(a, world_inverse_inertia(a), b, world_inverse_inertia(b),
                                        contact);
@@ -73,7 +68,6 @@ void apply_impulse(const PushedBody<Dim>& a, const PushedBody<Dim>& b, const Con
 
 #define LOD_INSTANTIATE(Dim)                                                                   \
     template double closing_velocity(const Body<Dim>&, const Body<Dim>&, const Contact<Dim>&); \
-    template double pair_restitution(const Body<Dim>&, const Body<Dim>&);                      \
     template double inverse_effective_mass(const Body<Dim>&, const Body<Dim>&,                 \
                                            const Contact<Dim>&);                               \
     template double inverse_effective_mass(const Body<Dim>&, const Inertia<Dim>&,              \

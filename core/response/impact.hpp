@@ -35,9 +35,11 @@ template <int Dim>
                                             const Body<Dim>& b, const Inertia<Dim>& inverse_b,
                                             const Contact<Dim>& contact);
 
-/// Restitution of a pair: the smaller of the two.
-template <int Dim>
-[[nodiscard]] double pair_restitution(const Body<Dim>& a, const Body<Dim>& b);
+/// Restitution of a pair: the smaller of the two. Of bodies, or of what is kept of them.
+template <class AnyBody>
+[[nodiscard]] double pair_restitution(const AnyBody& a, const AnyBody& b) {
+    return b.restitution < a.restitution ? b.restitution : a.restitution;
+}
 
 /// The impulse of a single contact (paper, eq. 1) [N s], >= 0; 0 when the bodies are parting
 /// already or neither can move. Restitution is the smaller of the two.

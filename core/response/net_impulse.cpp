@@ -70,7 +70,7 @@ void NetImpulse<Dim>::prepare(std::span<const Impact<Dim>> impacts) {
             pair.a = touched_.number(impact.a);
             pair.b = touched_.number(impact.b);
             pair.first = static_cast<std::int32_t>(i);
-            pair.restitution = std::min(touched_[pair.a].restitution, touched_[pair.b].restitution);
+            pair.restitution = pair_restitution(touched_[pair.a], touched_[pair.b]);
             pair.moves_a = !touched_[pair.a].is_static();
             pair.moves_b = !touched_[pair.b].is_static();
         }
