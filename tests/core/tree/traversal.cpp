@@ -101,6 +101,32 @@ TEMPLATE_TEST_CASE_SIG("every level holds what brute force finds among its nodes
     });
 }
 
+TEMPLATE_TEST_CASE_SIG("many levels in one go end at the front of that level", "[traversal]",
+                       ((int Dim), Dim), 2, 3) {
+    check_property(74, 200, [](std::uint64_t seed) {
+        Random random(seed);
+        const auto a = random_placed<Dim>(random, 1 + random.below(4), 1 + random.below(5), 0.6);
+        const auto b = random_placed<Dim>(random, 1 + random.below(4), 1 + random.below(5), 0.6);
+        const std::vector<Front> levels = traverse_levels(a, b);
+        const int last = random.below(7);
+        PosedTree<Dim> posed_a;
+        PosedTree<Dim> posed_b;
+        posed_a.pose(a);
+        posed_b.pose(b);
+        FrontList list;
+        ListedFront front;
+        test_roots(posed_a, posed_b, front, list);
+        const std::uint64_t tests = refine_to(posed_a, posed_b, last, front, list);
+        const std::size_t end = std::min(at(last), levels.size() - 1);
+        RC_ASSERT(front.level == static_cast<int>(end));
+        RC_ASSERT(front.verdict == levels[end].verdict);
+        RC_ASSERT(front.finest == levels[end].finest);
+        RC_ASSERT(front.tests == levels[end].tests);
+        RC_ASSERT(tests == (end > 0 ? levels[end].tests - levels[end - 1].tests : 0));
+        RC_ASSERT(sorted(list.front(front).pairs) == sorted(levels[end].pairs));
+    });
+}
+
 TEMPLATE_TEST_CASE_SIG("the traversal counts one test for each pair of nodes it compares",
                        "[traversal]", ((int Dim), Dim), 2, 3) {
     Random random(72);
