@@ -49,7 +49,7 @@ void add_pair(viz::Panel& panel, const Stage& stage, const NearPair& near, bool 
     }
     const auto meeting = stage.record().nodes_of(near.record.nodes);
     viz::add_meeting_nodes<2>(panel, a, b, meeting);
-    add_lines(panel, a.body, b.body, meeting);
+    if (moving_bodies(stage) <= few_bodies) add_lines(panel, a.body, b.body, meeting);
 }
 
 /// All nodes of a body's deepest level, or their hulls.
@@ -60,7 +60,7 @@ void add_level(viz::Panel& panel, const Stage& stage, std::size_t body) {
     const int number = static_cast<int>(body);
     const std::vector<int> nodes =
         tree.level_nodes(std::min(stage.scene().settings.deepest_level, tree.levels() - 1));
-    if (stage.shown() == Shown::circles || !tree.has_hulls())
+    if (stage.shown() != Shown::hulls || !tree.has_hulls())
         return viz::add_nodes<2>(panel, actor.body, nodes, viz::Role::level_node, number);
     const viz::Style style{.role = viz::Role::level_node, .body = number};
     for (const int node : nodes) {
@@ -120,25 +120,38 @@ void add_fixation(viz::Panel& panel, const Stage& stage) {
         viz::Label{{.role = viz::Role::reference}, {x, y}, "the point looked at", 0});
 }
 
+/// Contacts and what came of them.
+void add_answers(viz::Panel& panel, const Stage& stage) {
+    const auto contacts = viz::contacts_of<2>(stage.record());
+    viz::add_normals<2>(panel, contacts, normal_length * viz::longer_side(panel.view));
+    add_hits(panel, stage);
+    viz::add_contact_points<2>(panel, contacts);
+    if (moving_bodies(stage) <= few_bodies) add_velocities(panel, stage);
+}
+
+/// Where no pair is near: the level of a single body, the root circles of more.
+void add_untested(viz::Panel& panel, const Stage& stage) {
+    if (stage.bodies().size() == 1) return add_level(panel, stage, 0);
+    for (std::size_t i = 0; i < stage.bodies().size(); ++i)
+        if (!stage.bodies()[i].tree->is_half_space())
+            viz::add_nodes<2>(panel, stage.bodies()[i], std::vector<int>{0}, viz::Role::node,
+                              static_cast<int>(i));
+}
+
 viz::Panel panel_of(const Stage& stage) {
     viz::Panel panel;
     panel.view = stage.scene().view;
-    const std::size_t moving = moving_bodies(stage);
+    const bool few = moving_bodies(stage) <= few_bodies;
     for (std::size_t i = 0; i < stage.bodies().size(); ++i)
         viz::add_body<2>(panel, stage.actor(i), static_cast<int>(i));
     for (std::size_t i = 0; i < stage.bodies().size() && stage.shown() != Shown::near; ++i)
         add_level(panel, stage, i);
     for (const NearPair& near : stage.pairs())
-        if (moving <= few_bodies || near.record.verdict != lod::Verdict::apart)
-            add_pair(panel, stage, near, moving <= few_bodies && stage.shown() == Shown::near);
-    const auto contacts = viz::contacts_of<2>(stage.record());
-    viz::add_normals<2>(panel, contacts, normal_length * viz::longer_side(panel.view));
-    add_hits(panel, stage);
-    viz::add_contact_points<2>(panel, contacts);
-    if (moving <= few_bodies) {
-        add_velocities(panel, stage);
-        add_body_names(panel, stage);
-    }
+        if (few || near.record.verdict != lod::Verdict::apart)
+            add_pair(panel, stage, near, few && stage.shown() == Shown::near);
+    if (few && stage.pairs().empty() && stage.shown() == Shown::near) add_untested(panel, stage);
+    if (stage.scene().told == Told::answers) add_answers(panel, stage);
+    if (few) add_body_names(panel, stage);
     add_fixation(panel, stage);
     return panel;
 }
@@ -147,9 +160,26 @@ std::string name_of_body(const Stage& stage, std::int32_t body) {
     return viz::literal_text(stage.scene().actors[lod::at(body)].visual.name);
 }
 
+/// Whether the shapes themselves meet, where that was asked.
+std::string truth_of(const NearPair& near) {
+    if (near.gap < 0) return "";
+    return near.gap > 0 ? "; the shapes are still " + viz::length_text(near.gap) + " apart"
+                        : "; the shapes do overlap";
+}
+
+/// Of a single pair that is asked about by one circle a body.
+std::string circles_finding(const Stage& stage, const NearPair& near) {
+    if (near.record.verdict != lod::Verdict::apart)
+        return "the circles meet" + truth_of(near) + ".";
+    return "the circles are apart, and so are " + name_of_body(stage, near.record.bodies.a) +
+           " and " + name_of_body(stage, near.record.bodies.b) + ".";
+}
+
 /// Of a single pair: what its last level says.
 std::string finding_of(const Stage& stage, const NearPair& near) {
     const lod::PairRecord& pair = near.record;
+    const bool answers = stage.scene().told == Told::answers;
+    if (!answers && stage.scene().settings.deepest_level == 0) return circles_finding(stage, near);
     const std::string who =
         name_of_body(stage, pair.bodies.a) + " and " + name_of_body(stage, pair.bodies.b);
     const std::string tests = viz::count_text(static_cast<long long>(pair.tests), "node test");
@@ -157,11 +187,18 @@ std::string finding_of(const Stage& stage, const NearPair& near) {
         return who + " do not collide: proved at level " + std::to_string(pair.level) + " by " +
                tests + ".";
     std::string text = who + ": " + viz::verdict_words(pair.verdict) + " at level " +
-                       std::to_string(pair.level) + " after " + tests + ", " +
-                       viz::count_text(pair.contact_count, "contact");
-    if (near.gap > 0) text += "; the shapes are still " + viz::length_text(near.gap) + " apart";
-    if (near.gap == 0) text += "; the shapes do overlap";
-    return text + ".";
+                       std::to_string(pair.level) + " after " + tests;
+    if (answers) text += ", " + viz::count_text(pair.contact_count, "contact");
+    return text + truth_of(near) + ".";
+}
+
+/// Of a scene of which no pair is near.
+std::string nothing_near(const Stage& stage) {
+    if (stage.bodies().size() > 1) return "No two bodies are near: nothing is tested.";
+    const lod::SphereTree<2>& tree = *stage.bodies()[0].tree;
+    const int level = std::min(stage.scene().settings.deepest_level, tree.levels() - 1);
+    return "Level " + std::to_string(level) + ": " +
+           viz::count_text(static_cast<long long>(tree.level_nodes(level).size()), "circle") + ".";
 }
 
 std::string capitalised(std::string text) {
@@ -171,7 +208,7 @@ std::string capitalised(std::string text) {
 
 /// Of all pairs, in a sentence.
 std::string finding(const Stage& stage) {
-    if (stage.pairs().empty()) return "No two bodies are near: nothing is tested.";
+    if (stage.pairs().empty()) return nothing_near(stage);
     if (stage.pairs().size() == 1) return capitalised(finding_of(stage, stage.pairs()[0]));
     const auto apart = std::count_if(
         stage.pairs().begin(), stage.pairs().end(),
@@ -180,8 +217,12 @@ std::string finding(const Stage& stage) {
            (apart == static_cast<std::ptrdiff_t>(stage.pairs().size()) ? "all"
                                                                        : std::to_string(apart)) +
            " of them proved apart, by " +
-           viz::count_text(static_cast<long long>(stage.record().tests), "node test") + "; " +
-           viz::count_text(static_cast<long long>(stage.record().impacts.size()), "contact") + ".";
+           viz::count_text(static_cast<long long>(stage.record().tests), "node test") +
+           (stage.scene().told == Told::answers
+                ? "; " + viz::count_text(static_cast<long long>(stage.record().impacts.size()),
+                                         "contact")
+                : std::string()) +
+           ".";
 }
 
 }  // namespace

@@ -19,7 +19,9 @@ namespace live {
 ///
 ///     {"frame", "time", "hash": of the state, "level": asked for, "levels": of the deepest tree,
 ///      "tests", "dropped": tests of levels that were not finished, "by_level": tests of each,
-///      "budget": or null, "reserved": by node pairs, "left", "interrupted", "contacts", "energy",
+///      "budget": or null, "reserved": by node pairs, "left", "interrupted", "contacts",
+///      "contact": the deepest one, with v_c, K, e and j of equation (1): {"a", "b", "normal",
+///      "closing", "K", "e", "j"}, or null, "energy",
 ///      "pairs": [{"a", "b", "level", "verdict", "tests", "contacts", "gap": or null,
 ///      "stands_out"}], "bodies": [{"name", "x", "y", "angle", "reach": radius of its root circle,
 ///      "fixed": whether

@@ -68,6 +68,24 @@ std::string hexadecimal(std::uint64_t number) {
     return text;
 }
 
+/// The deepest contact, and the terms of equation (1) there; null where there is none.
+Json contact_json(const Stage& stage) {
+    const auto& impacts = stage.record().impacts;
+    const auto deepest = std::max_element(
+        impacts.begin(), impacts.end(),
+        [](const auto& one, const auto& other) { return one.contact.depth < other.contact.depth; });
+    if (deepest == impacts.end()) return {};
+    const lod::Body<2>& a = stage.bodies()[lod::at(deepest->a)];
+    const lod::Body<2>& b = stage.bodies()[lod::at(deepest->b)];
+    return {{"a", deepest->a},
+            {"b", deepest->b},
+            {"normal", {deepest->contact.normal.x(), deepest->contact.normal.y()}},
+            {"closing", lod::closing_velocity<2>(a, b, deepest->contact)},
+            {"K", lod::inverse_effective_mass<2>(a, b, deepest->contact)},
+            {"e", lod::pair_restitution<2>(a, b)},
+            {"j", lod::single_impulse<2>(a, b, deepest->contact)}};
+}
+
 }  // namespace
 
 std::string report(const Stage& stage) {
@@ -86,6 +104,7 @@ std::string report(const Stage& stage) {
               {"left", record.spending.tests_left ? Json(*record.spending.tests_left) : Json()},
               {"interrupted", record.interrupted()},
               {"contacts", record.impacts.size()},
+              {"contact", contact_json(stage)},
               {"energy", lod::kinetic_energy<2>(stage.bodies())},
               {"policy", lod::name_of(scene.settings.priority)},
               {"contact_model", lod::name_of(scene.settings.contact_model)},

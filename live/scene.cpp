@@ -116,6 +116,7 @@ Scene read(const Json& json) {
     scene.settings.viewer.fixation = json.at("fixation").get<lod::Viewer::Point>();
     if (!json.at("budget").is_null()) scene.budget = json.at("budget").get<std::uint64_t>();
     scene.pair_cost = json.at("pair_cost").get<double>();
+    scene.told = lod::chosen<Told>(json.at("told").get<std::string>(), "kind of what is told");
     std::vector<Shared> shapes;
     for (const Json& shape : json.at("shapes")) shapes.push_back(shared_from(shape));
     for (const Json& body : json.at("bodies")) scene.actors.push_back(actor_from(body, shapes));
@@ -134,6 +135,7 @@ std::string scene_text(const Scene& scene) {
               {"fixation", scene.settings.viewer.fixation},
               {"budget", scene.budget ? Json(*scene.budget) : Json()},
               {"pair_cost", scene.pair_cost},
+              {"told", lod::name_of(scene.told)},
               {"shapes", Json::array()},
               {"bodies", Json::array()}};
     std::map<const lod::SphereTree<2>*, int> places;

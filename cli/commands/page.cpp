@@ -2,18 +2,41 @@
 
 #include "cli/arguments/check_outputs.hpp"
 #include "cli/arguments/command.hpp"
+#include "cli/arguments/misused.hpp"
+#include "cli/commands/lessons/named_lesson.hpp"
 #include "cli/stage/staging.hpp"
 #include "cli/terminal/output.hpp"
+#include "lessons/engine/lessons.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/files/output_file.hpp"
 #include "lodlab/live/take.hpp"
 
 namespace cli {
 
+namespace {
+
+constexpr std::string_view of_a_lesson = "lesson:";
+
+/// The live part of a lesson, as a page of its own.
+std::string lesson_page(const Options& options) {
+    const std::string name = options.scene.substr(of_a_lesson.size());
+    const lessons::Lesson lesson = lessons::run(named_lesson(name).number);
+    for (const std::string& given : options.given)
+        if (given != "SCENE" && given != "--out")
+            misused(given +
+                    " does not go with the page of a lesson, which begins as its book has it");
+    if (!lesson.live) misused("lesson " + name + " has no scene to play with");
+    return live::page_text(lesson.live->scene);
+}
+
+}  // namespace
+
 void run_page(const Options& options) {
     check_outputs(options, {.exports = {".html"}, .still = false});
     if (options.playground)
         return lod::write_text_file(options.out.back(), live::playground_text());
+    if (options.scene.starts_with(of_a_lesson))
+        return lod::write_text_file(options.out.back(), lesson_page(options));
     if (options.scene.empty())
         throw lod::Error(
             lod::ErrorKind::usage,

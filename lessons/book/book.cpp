@@ -4,6 +4,7 @@
 #include <future>
 #include <kainjow/mustache.hpp>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
 #include "lessons/book/book.hpp"
 #include "lessons/book/output_folder.hpp"
@@ -14,6 +15,7 @@
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
 #include "lodlab/io/files/output_file.hpp"
+#include "lodlab/live/page/page.hpp"
 #include "lodlab/viz/film/video.hpp"
 #include "lodlab/viz/film/write.hpp"
 #include "lodlab/viz/paint/write.hpp"
@@ -75,6 +77,7 @@ class BookWriter {
         for (const Lesson& lesson : all) meter_.expect(work_of(lesson, with_video(lesson)));
         for (const char* name : {"book.css", "book.js", "grade.js", "index.js", "questions.js"})
             lod::write_text_file(root_ / name, embedded_files().at(name));
+        write_live_files(all);
         for (std::size_t i = 0; i < all.size(); ++i) write_lesson(all, i);
         write_index(all);
     }
@@ -135,6 +138,29 @@ class BookWriter {
         return files;
     }
 
+    static bool has_live_part(const Lesson& lesson) {
+        return lesson.live && live::has_module();
+    }
+
+    /// What all live parts share.
+    void write_live_files(const std::vector<Lesson>& all) {
+        if (std::none_of(all.begin(), all.end(), has_live_part)) return;
+        const live::Component component = live::component();
+        lod::write_text_file(root_ / "live.css", component.style);
+        lod::write_text_file(root_ / "live.js", component.script);
+        lod::write_text_file(root_ / "lodlab.js", std::string(component.module));
+        lod::write_text_file(root_ / "live_part.js", embedded_files().at("live_part.js"));
+    }
+
+    /// Its scene as a script, for a page that lies on a disk reads no other file.
+    static std::string write_scene(const fs::path& folder, const Lesson& lesson) {
+        if (!has_live_part(lesson)) return {};
+        constexpr const char* name = "scene.js";
+        const nlohmann::json text = live::scene_text(lesson.live->scene);
+        lod::write_text_file(folder / name, "var lodlabScene = " + text.dump() + ";\n");
+        return name;
+    }
+
     static kainjow::mustache::data neighbour(const Lesson& lesson) {
         kainjow::mustache::data data;
         data.set("slug", lesson.entry.slug);
@@ -161,8 +187,9 @@ class BookWriter {
             meter_.did(what, picture_work);
         }
         kainjow::mustache::data data;
-        const VideoFiles video = write_video(folder, lesson);
-        data.set("body", lesson_html(lesson, video, picture_name));
+        const PageFiles files{write_video(folder, lesson), write_scene(folder, lesson)};
+        data.set("body", lesson_html(lesson, files, picture_name));
+        data.set("live", !files.scene.empty());
         data.set("title", lesson.entry.title);
         data.set("number", std::to_string(lesson.entry.number));
         if (i > 0) data.set("previous", neighbour(all[i - 1]));

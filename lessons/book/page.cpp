@@ -42,6 +42,25 @@ std::string video_html(const Lesson& lesson, const VideoFiles& video) {
            escaped_html(viz::plain_text(lesson.animation.title)) + "</figcaption></figure>\n";
 }
 
+/// Stays hidden until a script shows it.
+std::string live_html(const Lesson& lesson, const std::string& scene) {
+    if (scene.empty()) return {};
+    const LivePart& live = *lesson.live;
+    const viz::Box& view = live.scene.view;
+    const std::string title = inline_html(lesson, live.title);
+    return "<section class=\"live\" data-scene=\"" + scene + "\" data-controls=\"" +
+           escaped_html(live.controls) +
+           "\" aria-labelledby=\"live-title\" hidden>\n<h2 id=\"live-title\">" + title +
+           "</h2>\n<div class=\"task\">" + markdown_to_html(live.task, lesson.equations) +
+           "</div>\n<div class=\"picture\"><svg class=\"stage\" role=\"group\" "
+           "aria-labelledby=\"live-title\" style=\"aspect-ratio: " +
+           std::to_string(view.high.x - view.low.x) + " / " +
+           std::to_string(view.high.y - view.low.y) +
+           "\"></svg><p class=\"finding\" aria-hidden=\"true\"></p><p class=\"spoken\" "
+           "aria-live=\"polite\"></p></div>\n<div class=\"controls\"></div>\n"
+           "<p class=\"trouble\" role=\"alert\"></p>\n</section>\n";
+}
+
 }  // namespace
 
 double picture_width(const viz::Figure& figure) {
@@ -94,8 +113,8 @@ namespace {
 /// Writes the parts of a lesson's page.
 class PageWriter {
   public:
-    PageWriter(const Lesson& lesson, const VideoFiles& video, const PicturePath& picture_path)
-        : lesson_(lesson), video_(video), picture_path_(picture_path) {}
+    PageWriter(const Lesson& lesson, const PageFiles& files, const PicturePath& picture_path)
+        : lesson_(lesson), files_(files), picture_path_(picture_path) {}
 
     std::string text_html(const std::string& markdown) {
         std::string html;
@@ -111,7 +130,8 @@ class PageWriter {
             flush();
             if (tag.kind == "listing") html += listing_html(lesson_.listings.at(tag.name));
             if (tag.kind == "steps") html += steps_html();
-            if (tag.kind == "video") html += video_html(lesson_, video_);
+            if (tag.kind == "video") html += video_html(lesson_, files_.video);
+            if (tag.kind == "live") html += live_html(lesson_, files_.scene);
             if (tag.kind == "figure")
                 html += figure_html(tag.name, {}, is_in_step(tag.name) ? again : "<figure>") + "\n";
         }
@@ -187,16 +207,16 @@ class PageWriter {
     }
 
     const Lesson& lesson_;
-    const VideoFiles& video_;
+    const PageFiles& files_;
     const PicturePath& picture_path_;
     std::size_t questions_ = 0;  ///< written so far
 };
 
 }  // namespace
 
-std::string lesson_html(const Lesson& lesson, const VideoFiles& video,
+std::string lesson_html(const Lesson& lesson, const PageFiles& files,
                         const PicturePath& picture_path) {
-    return PageWriter(lesson, video, picture_path).text_html(lesson.text);
+    return PageWriter(lesson, files, picture_path).text_html(lesson.text);
 }
 
 }  // namespace lessons

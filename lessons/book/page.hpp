@@ -23,8 +23,14 @@ struct VideoFiles {
     std::string poster;
 };
 
+/// Files beside a lesson's page.
+struct PageFiles {
+    VideoFiles video;
+    std::string scene;  ///< of the live part; empty: the page has none
+};
+
 /// The body of a completed lesson's page as HTML.
-[[nodiscard]] std::string lesson_html(const Lesson& lesson, const VideoFiles& video,
+[[nodiscard]] std::string lesson_html(const Lesson& lesson, const PageFiles& files,
                                       const PicturePath& picture_path);
 
 /// A C++ listing as HTML: comments, keywords, strings and numbers marked.

@@ -132,6 +132,8 @@ struct Text {
 
 std::vector<Text> texts_of(const lessons::Script& script) {
     std::vector<Text> texts{{script.where, script.text, 0}};
+    for (const auto& [key, said] : script.live)
+        texts.push_back({script.where, said.text, said.line - 1});
     for (const lessons::StepScript& step : script.steps)
         texts.push_back({script.where, step.text, step.line});
     for (const lessons::StepScript& step : script.steps)

@@ -93,6 +93,7 @@ class Reader {
         if (tag.kind == "shown") return take_shown(tag);
         if (tag.kind == "video" && in_step()) refuse("a video stands outside the steps");
         if (tag.kind == "video") words_ = &script_.video;
+        if (tag.kind == "live") take_live();
         if (tag.kind == "figure") {
             words_ = &script_.words[tag.name];
             script_.figures.emplace(tag.name, number_);
@@ -103,6 +104,16 @@ class Reader {
         step.figure = tag.name;
         step.figure_line = number_;
         keep("");
+    }
+
+    /// Stands between the steps and the text after them, or in that text.
+    void take_live() {
+        if (script_.live_line > 0)
+            refuse("the lesson has a live part already, in line " +
+                   std::to_string(script_.live_line));
+        ended_ = !script_.steps.empty();
+        words_ = &script_.live;
+        script_.live_line = number_;
     }
 
     void take_shown(const Tag& tag) {
@@ -139,7 +150,7 @@ class Reader {
             word_ = &place->second;
         } else if (words_->empty() || !word_) {
             refuse(
-                "below a figure or video stand lines 'title: ...'; begin a text with a blank line");
+                "below such a tag stand lines 'title: ...'; begin a text with a blank line");
         } else {
             word_->text += " " + text;
         }

@@ -9,7 +9,7 @@
 
 namespace lessons {
 
-/// What the lines below a figure's or the video's tag say of it, by key.
+/// What the lines below the tag of a figure, the video or the live part say of it, by key.
 using Words = std::map<std::string, KeyText>;
 
 /// A number that a step shows in its list: `{{shown: TOLD = NAME}}`.
@@ -39,6 +39,8 @@ struct Script {
     std::map<std::string, Words> words;  ///< of figures, by name
     std::map<std::string, int> figures;  ///< the line of each figure's first tag
     Words video;
+    Words live;
+    int live_line = 0;  ///< of its tag; 0: there is none
 };
 
 /// Throws lod::Error (input refused) with the file and the line for steps that stand apart, a step

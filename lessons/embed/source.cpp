@@ -85,8 +85,8 @@ Format read_format(std::string_view text) {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kinds{"listing", "figure", "number", "shown",
-                                                "ask",     "lesson", "steps",  "video"};
+constexpr std::array<std::string_view, 9> kinds{"listing", "figure", "number", "shown", "ask",
+                                                "lesson",  "steps",  "video",  "live"};
 
 /// The tag between the braces, or why it is none.
 Tag read_tag(std::string_view inside, const std::string& where, int line) {
@@ -97,7 +97,7 @@ Tag read_tag(std::string_view inside, const std::string& where, int line) {
     if (std::find(kinds.begin(), kinds.end(), tag.kind) == kinds.end())
         refuse_line(where, line,
                     "unknown kind '" + tag.kind +
-                        "'; use listing, figure, number, shown, ask, lesson or video");
+                        "'; use listing, figure, number, shown, ask, lesson, video or live");
     if (tag.kind == "shown") {
         const std::size_t sign = tag.name.find('=');
         if (sign == std::string::npos)
@@ -115,7 +115,7 @@ Tag read_tag(std::string_view inside, const std::string& where, int line) {
             refuse_line(where, line, unknown.what());
         }
     }
-    const bool wants_name = tag.kind != "steps" && tag.kind != "video";
+    const bool wants_name = tag.kind != "steps" && tag.kind != "video" && tag.kind != "live";
     if (wants_name == tag.name.empty())
         refuse_line(where, line,
                     "'" + tag.kind + (wants_name ? "' needs a name" : "' takes no name"));

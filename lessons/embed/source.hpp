@@ -34,6 +34,7 @@ struct Format {
 ///     {{ask: NAME}}                a question to the reader, on a line of its own in a step
 ///     {{lesson: NAME}}             another lesson: "lesson 3"
 ///     {{video}}                    the lesson's video, on a line of its own
+///     {{live}}                     the scene that the reader plays with, on a line of its own
 ///
 /// and {{steps}}, which read_script puts in the place of the steps.
 struct Tag {

@@ -3,6 +3,7 @@
 #include "lessons/engine/lessons.hpp"
 #include "lessons/engine/sketch.hpp"
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/live/page/controls.hpp"
 
 namespace lessons {
 namespace {
@@ -51,6 +52,33 @@ void caption(Lesson& lesson, const std::string& name, const Words& words, Filler
                     "figure '" + name + "' has no alt text; add a line 'alt: ...' below its tag");
 }
 
+/// What the lines below the live part's tag say of it.
+void complete_live(Lesson& lesson, Filler& filler) {
+    LivePart& live = *lesson.live;
+    const auto say = [&](const std::string& key) -> const KeyText& {
+        const auto found = lesson.script.live.find(key);
+        if (found == lesson.script.live.end())
+            refuse_line(lesson.script.where, lesson.script.live_line,
+                        "the live part has no " + key + "; add a line '" + key +
+                            ": ...' below its tag");
+        return found->second;
+    };
+    live.title = filler.fill(say("title"));
+    live.task = filler.fill(say("try"));
+    const KeyText& controls = say("controls");
+    live.controls = controls.text;
+    try {
+        live::check_controls(live.controls);
+    } catch (const lod::Error& unknown) {
+        refuse_line(lesson.script.where, controls.line, unknown.what());
+    }
+    for (const auto& [key, said] : lesson.script.live)
+        if (key != "title" && key != "try" && key != "controls")
+            refuse_line(lesson.script.where, said.line,
+                        "a live part has no '" + key + "'; it has title, try and controls");
+    live.scene.title = live.title;
+}
+
 void check_video_words(const Lesson& lesson) {
     for (const auto& [key, said] : lesson.script.video)
         if (key != "title" && !lesson.said.count(key))
@@ -80,6 +108,12 @@ void give(Lesson& lesson, const std::string& name, viz::Panel panel, const Heade
     give(lesson, name, std::move(figure), place);
 }
 
+void give(Lesson& lesson, live::Scene scene, Place place) {
+    remember(lesson, "live part", "", place);
+    scene.name = lesson.entry.slug;
+    lesson.live = LivePart{std::move(scene), {}, {}, {}};
+}
+
 std::string video_words(Lesson& lesson, const std::string& key) {
     const KeyText& said =
         find_given(lesson.script.video, "video's words", key, lesson.script.where, 1);
@@ -94,6 +128,7 @@ void complete(Lesson& lesson) {
         lesson.steps.push_back(filled_step(step, filler));
     for (const auto& [name, words] : lesson.script.words) caption(lesson, name, words, filler);
     if (!lesson.animation.shots.empty()) lesson.animation.title = video_words(lesson, "title");
+    if (lesson.live) complete_live(lesson, filler);
     check_video_words(lesson);
     check_questions(lesson);
     filler.check_all_used();

@@ -22,6 +22,7 @@ std::string Filler::fill(const std::string& text, int lines_before) {
         if (tag.kind == "listing")
             (void)find_given(lesson_.listings, tag.kind, tag.name, where(), line);
         if (tag.kind == "figure") use_figure(tag.name, line);
+        if (tag.kind == "live") use_live(line);
         if (tag.kind == "video" && lesson_.animation.shots.empty())
             refuse_line(where(), line, "the lesson's code gives no video");
     }
@@ -54,6 +55,11 @@ std::string Filler::number(const std::string& name, const std::string& format, i
 void Filler::use_figure(const std::string& name, int line) {
     (void)find_given(lesson_.figures, "figure", name, where(), line);
     used_.insert("figure " + name);
+}
+
+void Filler::use_live(int line) {
+    if (!lesson_.live) refuse_line(where(), line, "the lesson's code gives no scene to play with");
+    used_.insert("live part");
 }
 
 void Filler::check_all_used() const {

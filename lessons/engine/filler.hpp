@@ -43,6 +43,8 @@ class Filler {
     std::string number(const std::string& name, const std::string& format, int line);
     void use_figure(const std::string& name, int line);
 
+    void use_live(int line);
+
     /// Throws for what the code gave in vain.
     void check_all_used() const;
 

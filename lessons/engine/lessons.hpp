@@ -12,6 +12,7 @@
 
 #include "lessons/embed/script.hpp"
 #include "lessons/engine/questions/question.hpp"
+#include "lodlab/live/scene.hpp"
 #include "lodlab/viz/figure/figure.hpp"
 #include "lodlab/viz/paint/blocks.hpp"
 #include "lodlab/viz/paint/options.hpp"
@@ -53,8 +54,16 @@ struct Step {
     std::vector<Question> questions;
 };
 
-/// A lesson: its words, and what its code found and drew. The code gives numbers, figures and the
-/// animation; `complete` puts them and the words together.
+/// A scene that the reader plays with in the page. The code gives the scene, the text the words.
+struct LivePart {
+    live::Scene scene;
+    std::string title;
+    std::string task;      ///< Markdown: what to try, and what to see
+    std::string controls;  ///< by name, as live::check_controls has them
+};
+
+/// A lesson: its words, and what its code found and drew. The code gives numbers, figures, the
+/// animation and the scene of the live part; `complete` puts them and the words together.
 struct Lesson {
     Entry entry;
     Script script;  ///< lesson.md
@@ -64,11 +73,12 @@ struct Lesson {
     std::map<std::string, Number> numbers;
     std::map<std::string, viz::Figure> figures;
     viz::Animation animation;
+    std::optional<LivePart> live;
     std::map<std::string, std::string> given;  ///< where the code gave a name: "lesson.cpp:12"
     std::set<std::string> said;                ///< keys of the video's words that the code took
 
     std::string text;  ///< of the lesson without its steps, numbers filled in; a {{steps}} tag
-                       ///< stands for these, others for listings, figures and the video
+                       ///< stands for these, others for listings, figures, video and live part
     std::vector<Step> steps;
 };
 
@@ -85,6 +95,9 @@ struct Place {
 void give(Lesson& lesson, const std::string& name, Number number, Place place = Place::current());
 void give(Lesson& lesson, const std::string& name, viz::Figure figure,
           Place place = Place::current());
+
+/// The scene of the live part; its name and title are the lesson's.
+void give(Lesson& lesson, live::Scene scene, Place place = Place::current());
 
 /// What a picture says beside its title: what a number is -> its name.
 using Header = std::vector<std::pair<std::string, std::string>>;

@@ -179,6 +179,11 @@ std::string wrapped(std::string_view markdown, int columns, bool styled, std::st
     return wrapper.take();
 }
 
+std::string live_line(const Lesson& lesson) {
+    return "[To play with this scene in a page: `lodlab page lesson:" + lesson.entry.slug +
+           " --out " + lesson.entry.slug + ".html`]";
+}
+
 std::string text_for_terminal(const Lesson& lesson, std::string_view markdown, int columns,
                               bool styled) {
     const std::string whole(markdown);
@@ -189,6 +194,7 @@ std::string text_for_terminal(const Lesson& lesson, std::string_view markdown, i
         done = tag.end;
         if (tag.kind == "figure") text += "[Figure: " + lesson.figures.at(tag.name).alt + "]";
         if (tag.kind == "steps") text += "[Here come the steps.]";
+        if (tag.kind == "live") text += live_line(lesson);
         if (tag.kind == "video") text += "[Here the book shows a video.]";
         if (tag.kind == "listing") {
             std::istringstream lines(lesson.listings.at(tag.name));

@@ -227,6 +227,15 @@ viz::Figure figure_of(viz::Panel panel) {
     return figure;
 }
 
+live::Scene to_play_with(std::vector<viz::Actor<2>> actors, const viz::Box& view,
+                         live::Told told) {
+    live::Scene scene;
+    scene.actors = std::move(actors);
+    scene.view = view;
+    scene.told = told;
+    return scene;
+}
+
 #define LESSONS_MARKS(Dim)                                                            \
     template void add_ball(viz::Panel&, const lod::Sphere<Dim>&, viz::Style);         \
     template void add_dot<Dim>(viz::Panel&, viz::Role, const lod::Vector<Dim>&, int); \

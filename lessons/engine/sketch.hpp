@@ -13,6 +13,7 @@
 #include "lodlab/lod2d/shape/distance.hpp"
 #include "lodlab/lod2d/shape/shape.hpp"
 #include "lodlab/lod3d/solid/solid.hpp"
+#include "lodlab/live/scene.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 // Words and marks that lessons share.
@@ -125,5 +126,9 @@ void name_levels(viz::Figure& figure, const std::vector<lod::Front>& fronts);
 
 /// A figure of one panel.
 [[nodiscard]] viz::Figure figure_of(viz::Panel panel);
+
+/// Bodies for readers to play with, without a budget.
+[[nodiscard]] live::Scene to_play_with(std::vector<viz::Actor<2>> actors, const viz::Box& view,
+                                       live::Told told = live::Told::answers);
 
 }  // namespace lessons

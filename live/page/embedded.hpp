@@ -7,7 +7,10 @@ namespace live::embedded {
 
 [[nodiscard]] std::string_view page_html();
 [[nodiscard]] std::string_view page_css();
+[[nodiscard]] std::string_view page_js();
+[[nodiscard]] std::string_view live_css();
 [[nodiscard]] std::string_view figure_js();
+[[nodiscard]] std::string_view controls_js();
 [[nodiscard]] std::string_view live_js();
 [[nodiscard]] std::string_view playground_js();
 /// Empty where there was none.

@@ -1,5 +1,5 @@
-// A scene that the reader plays with: the module (live/module.hpp) computes, figure.js draws, the
-// controls of page.html say what happens.
+// A scene that the reader plays with: the module (live/module.hpp) computes, figure.js draws, the controls of controls.js
+// say what happens. A root element holds .picture with the stage, .controls, .finding, .spoken and .trouble.
 "use strict";
 
 const lodlabLive = (() => {
@@ -39,12 +39,13 @@ const lodlabLive = (() => {
   };
 
   class Live {
-    constructor(root, module, scene) {
+    constructor(root, module, scene, controls) {
       this.root = root;
       this.calls = callsOf(module);
       this.scene = JSON.parse(scene);
       this.live = this.calls.open(scene);
       if (!this.live) throw new Error(this.calls.error());
+      lodlabControls.put(this.find(".controls"), controls);
       this.playing = false;
       this.speed = 1;
       this.owed = 0;
@@ -76,26 +77,31 @@ const lodlabLive = (() => {
       on(".step", "click", () => { this.pause(); this.step(1); });
       on(".reset", "click", () => { this.pause(); this.told(this.calls.reset(this.live)); this.show(); this.say(); });
       on(".speed", "change", (event) => { this.speed = Number(event.target.value); });
-      const level = this.find(".level");
-      level.max = this.state.levels - 1;
-      level.value = Math.min(this.state.level, this.state.levels - 1);
-      on(".level", "input", () => this.change("level", Number(level.value)));
+      this.offer(".level", { max: this.state.levels - 1, value: Math.min(this.state.level, this.state.levels - 1) });
+      on(".level", "input", (event) => this.change("level", Number(event.target.value)));
       this.addBudget();
-      const restitution = this.find(".restitution");
-      restitution.value = Math.min(...this.scene.bodies.map((body) => body.restitution));
-      on(".restitution", "input", () => this.change("restitution", Number(restitution.value)));
+      this.offer(".restitution", { value: Math.min(...this.scene.bodies.map((body) => body.restitution)) });
+      on(".restitution", "input", (event) => this.change("restitution", Number(event.target.value)));
+      this.offer(".reserve", { value: this.scene.pair_cost });
       on(".reserve", "input", (event) => this.change("pair_cost", Number(event.target.value)));
       on(".save-svg", "click", () => this.save(`${this.scene.name}.svg`, new Blob([this.svgText()], { type: "image/svg+xml" })));
       on(".save-png", "click", () => this.savePng());
       for (const what of ["policy", "contact_model", "response", "shown"]) {
-        this.find(`.${what}`).value = this.state[what] ?? "near";
+        this.offer(`.${what}`, { value: this.state[what] ?? this.scene.shown ?? "near" });
         on(`.${what}`, "change", (event) => this.choose(what, event.target.value));
       }
+    }
+
+    // Sets what a control has, where there is such a control.
+    offer(selector, properties) {
+      const element = this.find(selector);
+      if (element) for (const [name, value] of Object.entries(properties)) element[name] = value;
     }
 
     // The last place of the slider stands for no budget, the others for 0, 1, 2, 3, 5, ... node tests.
     addBudget() {
       const slider = this.find(".budget");
+      if (!slider) return;
       this.budgets = [0];
       for (let tests = 1; tests < 20000; tests = Math.max(tests + 1, Math.round(tests * 1.3))) this.budgets.push(tests);
       if (this.state.budget !== null && !this.budgets.includes(this.state.budget)) {
@@ -120,13 +126,13 @@ const lodlabLive = (() => {
     play() {
       this.playing = true;
       this.last = undefined;
-      this.find(".play").textContent = "Pause";
+      this.text(".play", "Pause");
       requestAnimationFrame((now) => this.turn(now));
     }
 
     pause() {
       this.playing = false;
-      this.find(".play").textContent = "Play";
+      this.text(".play", "Play");
     }
 
     // One frame of the screen.
@@ -369,16 +375,18 @@ const lodlabLive = (() => {
       this.text(".hash", state.hash);
       this.text(".level-value", state.level >= state.levels - 1 ? "the leaves" : `level ${state.level}`);
       this.text(".budget-value", state.budget === null ? "no limit" : counted(state.budget, "test"));
-      this.text(".restitution-value", Number(this.find(".restitution").value).toFixed(2));
-      this.text(".reserve-value", counted(Number(this.find(".reserve").value), "test"));
-      this.find(".reserve-row").hidden = state.budget === null;
+      this.text(".restitution-value", Number(this.find(".restitution")?.value).toFixed(2));
+      this.text(".reserve-value", counted(Number(this.find(".reserve")?.value), "test"));
+      this.offer(".reserve-row", { hidden: state.budget === null });
       this.showBudgetBar();
       this.showLevels();
+      this.showEquation();
       this.showPairs();
     }
 
     showBudgetBar() {
       const { state } = this;
+      if (!this.find(".quota")) return;
       this.find(".quota").style.visibility = state.budget === null ? "hidden" : "visible";
       const whole_ = Math.max(1, state.budget ?? state.tests, state.tests + state.reserved);
       this.find(".spent").style.width = `${(100 * (state.tests - state.dropped)) / whole_}%`;
@@ -394,6 +402,7 @@ const lodlabLive = (() => {
 
     showLevels() {
       const list = this.find(".levels");
+      if (!list) return;
       const most = Math.max(1, ...this.state.by_level);
       while (list.children.length < this.state.levels) {
         const row = document.createElement("li");
@@ -410,15 +419,38 @@ const lodlabLive = (() => {
       });
     }
 
+    // Equation (1) at the deepest contact, term by term.
+    showEquation() {
+      const list = this.find(".equation");
+      if (!list) return;
+      const { contact } = this.state;
+      const digits = (number) => number.toFixed(3).replace("-", "\u2212");
+      const rows = contact === null ? [["No contact", ""]] : [
+        ["<var>v</var><sub>c</sub>", `${digits(contact.closing)} m/s`],
+        ["<var>K</var>", `${digits(contact.K)} 1/kg`],
+        ["<var>e</var>", contact.e.toFixed(2)],
+        ["<var>j</var> = \u2212(1 + <var>e</var>) <var>v</var><sub>c</sub> / <var>K</var>",
+          contact.closing >= 0 ? "0, they part" : `${digits(contact.j)} N s`],
+      ];
+      const html = rows.map(([told, value]) => `<div><dt>${told}</dt><dd>${value}</dd></div>`).join("");
+      if (this.equation === html) return;
+      this.equation = html;
+      list.innerHTML = html;
+    }
+
     showPairs() {
       const table = this.find(".pairs");
-      if (!table || !table.closest("details").open) return;
+      if (!table || table.closest("details")?.open === false) return;
+      const answers = this.scene.told !== "verdicts";
+      for (const head of table.querySelectorAll(".of-answers")) head.hidden = !answers;
       const name = (number) => this.state.bodies[number].name;
       const rows = this.state.pairs.slice(0, 12).map((pair) => [
-        `${name(pair.a)}, ${name(pair.b)}`, pair.level,
-        { apart: "apart", possible: "possible", true: "true" }[pair.verdict], whole(pair.contacts),
-        pair.gap === null ? "" : pair.gap === 0 ? "none" : inMetres(pair.gap),
-        pair.verdict === "apart" ? "" : inMetres(pair.stands_out),
+        `${name(pair.a)}, ${name(pair.b)}`, pair.level, pair.verdict,
+        ...(answers ? [
+          whole(pair.contacts),
+          pair.gap === null ? "" : pair.gap === 0 ? "none" : inMetres(pair.gap),
+          pair.verdict === "apart" ? "" : inMetres(pair.stands_out),
+        ] : []),
       ]);
       const body = table.tBodies[0];
       while (body.rows.length > rows.length) body.deleteRow(-1);
@@ -438,41 +470,20 @@ const lodlabLive = (() => {
     }
   }
 
-  // Takes the place of the still picture.
-  const begin = async (root) => {
-    const scene = root.querySelector("script.scene").textContent;
-    const module = await lodlabModule();
-    root.classList.add("alive");
+  // Takes the place of the still picture in a root element; `controls`: see controls.js. Gives a promise of what plays.
+  const mount = async (root, { scene, module, controls = "" }) => {
     try {
-      return new Live(root, module, scene);
+      const ready = await module;
+      root.classList.add("alive");
+      root.live = new Live(root, ready, scene, controls);
+      root.dispatchEvent(new CustomEvent("alive", { detail: root.live }));
+      return root.live;
     } catch (error) {
       root.classList.remove("alive");
+      root.querySelector(".trouble").textContent = `This scene does not run here: ${error.message}`;
       throw error;
     }
   };
 
-  return { Live, begin };
+  return { Live, mount };
 })();
-
-// Theme: as the system has it, or as the reader chooses.
-const lodlabTheme = () => {
-  const button = document.querySelector("button.theme");
-  const dark = matchMedia("(prefers-color-scheme: dark)");
-  const now = () => document.documentElement.dataset.theme ?? (dark.matches ? "dark" : "light");
-  const name = () => { button.textContent = now() === "dark" ? "Light" : "Dark"; };
-  button.addEventListener("click", () => {
-    document.documentElement.dataset.theme = now() === "dark" ? "light" : "dark";
-    name();
-  });
-  dark.addEventListener("change", name);
-  name();
-};
-
-lodlabTheme();
-for (const root of document.querySelectorAll(".live"))
-  lodlabLive.begin(root).then(
-    (live) => {
-      root.live = live;
-      root.dispatchEvent(new CustomEvent("alive", { detail: live }));
-    },
-    (error) => { root.querySelector(".trouble").textContent = `This scene does not run here: ${error.message}`; });

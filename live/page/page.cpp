@@ -23,7 +23,7 @@ constexpr std::array drawn{
     viz::Role::reference,      viz::Role::construction, viz::Role::note};
 constexpr int body_inks = 3;
 
-constexpr const char* playground_controls = R"(<section aria-label="Shapes">
+constexpr const char* playground_controls = R"(<section class="part" aria-label="Shapes">
 <div class="drawing"><button type="button" class="draw-0">Draw A</button><label class="file">SVG for A<input type="file" class="open-0" accept=".svg,image/svg+xml"></label>
 <button type="button" class="draw-1">Draw B</button><label class="file">SVG for B<input type="file" class="open-1" accept=".svg,image/svg+xml"></label>
 <button type="button" class="save-scene">Save scene</button></div>
@@ -128,11 +128,26 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 
 }  // namespace
 
+bool has_module() {
+    return !embedded::module_js().empty();
+}
+
 void check_module() {
-    if (embedded::module_js().empty())
+    if (!has_module())
         throw lod::Error(lod::ErrorKind::not_installed,
                          "this lodlab was built without the module that runs in a page; "
                          "scripts/wasm builds it, then configure and build lodlab again");
+}
+
+Component component() {
+    check_module();
+    Component parts;
+    parts.style = std::string(embedded::live_css()) + inks();
+    for (const std::string_view script :
+         {embedded::figure_js(), embedded::controls_js(), embedded::live_js()})
+        parts.script += script;
+    parts.module = embedded::module_js();
+    return parts;
 }
 
 std::string page_text(const Scene& scene, PageKind kind) {
@@ -143,18 +158,22 @@ std::string page_text(const Scene& scene, PageKind kind) {
     start.title.clear();  // the page has it
     const double wide = scene.view.high.x - scene.view.low.x;
     const double high = scene.view.high.y - scene.view.low.y;
-    return filled(embedded::page_html(),
-                  {{"title", escaped(title)},
-                   {"style", std::string(embedded::page_css())},
-                   {"inks", inks()},
-                   {"still", viz::web_svg_text(start)},
-                   {"aspect", number(wide / high)},
-                   {"scene", within_script(scene_text(scene))},
-                   {"module", within_script(std::string(embedded::module_js()))},
-                   {"figure", std::string(embedded::figure_js())},
-                   {"live", std::string(embedded::live_js())},
-                   {"playground", is_playground ? playground_controls : ""},
-                   {"script", is_playground ? std::string(embedded::playground_js()) : ""}});
+    return filled(
+        embedded::page_html(),
+        {{"title", escaped(title)},
+         {"style", std::string(embedded::page_css())},
+         {"component", std::string(embedded::live_css())},
+         {"inks", inks()},
+         {"still", viz::web_svg_text(start)},
+         {"aspect", number(wide / high)},
+         {"scene", within_script(scene_text(scene))},
+         {"module", within_script(std::string(embedded::module_js()))},
+         {"figure", std::string(embedded::figure_js())},
+         {"controls", std::string(embedded::controls_js())},
+         {"live", std::string(embedded::live_js())},
+         {"playground", is_playground ? playground_controls : ""},
+         {"playground_script", is_playground ? std::string(embedded::playground_js()) : ""},
+         {"script", std::string(embedded::page_js())}});
 }
 
 std::string playground_text() {

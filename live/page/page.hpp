@@ -4,13 +4,26 @@
 /// A scene of the plane as a page of one file, which runs in a browser without any network.
 
 #include <string>
+#include <string_view>
 
 #include "lodlab/live/scene.hpp"
 
 namespace live {
 
-/// Throws lod::Error (not installed), with the mend, where this build has no module for pages.
+/// Whether this build has the module that runs in a page.
+[[nodiscard]] bool has_module();
+/// Throws lod::Error (not installed), with the mend, where it has none.
 void check_module();
+
+/// What every page needs that holds scenes: for pages of several files, which share it. Its script
+/// offers lodlabLive.mount (live/page/live.js), the module lodlabModule.
+struct Component {
+    std::string style;
+    std::string script;
+    std::string_view module;
+};
+/// Throws as check_module.
+[[nodiscard]] Component component();
 
 /// What a page offers beside its scene.
 enum class PageKind {

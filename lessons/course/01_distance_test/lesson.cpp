@@ -224,6 +224,23 @@ void give_rounding(Lesson& lesson) {
     give(lesson, "decimals", std::move(figure));
 }
 
+/// The two bodies with their circles for trees. A frame stops at level 0, the circles.
+live::Scene play(const Scene& scene) {
+    const auto circled = [](viz::Actor<2> body, const lod2d::Shape& shape, double radius) {
+        auto tree = std::make_shared<lod::SphereTree<2>>(*tree_of(shape, 1));
+        tree->centre[0] = Vec::Zero();
+        tree->radius[0] = radius;
+        lod::renew<2>(*tree);
+        body.body.tree = std::move(tree);
+        return body;
+    };
+    live::Scene play = to_play_with({circled(scene.gear, scene.gear_shape, scene.gear_radius),
+                                     circled(scene.star, scene.star_shape, scene.star_radius)},
+                                    box(-1.6, -1.3, 2.6, 1.9), live::Told::verdicts);
+    play.settings.deepest_level = 0;
+    return play;
+}
+
 /// The star passes the gear: far, near, far.
 void animate(Lesson& lesson) {
     constexpr int pictures = 72;
@@ -256,6 +273,7 @@ void make_distance_test(Lesson& lesson) {
     give_overlap(lesson, make_scene(1.56, 0.9));
     give_touching(lesson);
     give_rounding(lesson);
+    give(lesson, play(scene));
     animate(lesson);
 }
 

@@ -229,6 +229,7 @@ void make_circle_tree(Lesson& lesson) {
     tree::give_builders(lesson, crescent);
     tree::give_plot(lesson, crescent.facts);
     tree::give_bad_tree(lesson, crescent);
+    give(lesson, to_play_with({crescent.body}, crescent.view, live::Told::verdicts));
     tree::animate(lesson, crescent);
 }
 

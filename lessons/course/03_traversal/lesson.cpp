@@ -256,6 +256,8 @@ void make_traversal(Lesson& lesson) {
     give_collision(lesson, hit);
     give_interruption(lesson, hit);
     give_budgets(lesson, miss, hit);
+    give(lesson, to_play_with({miss.crescent, miss.star}, viz::grown(miss.view, 0.1),
+                              live::Told::verdicts));
     animate(lesson, miss, hit);
 }
 

@@ -158,6 +158,21 @@ viz::Polyline staircase(const Scene& scene, std::size_t pair) {
 }
 
 /// Every point of interruption, by the rule and by the program.
+/// Both pairs, each finer while the budget lasts.
+live::Scene play(const Scene& scene, std::uint64_t quota) {
+    std::vector<viz::Actor<2>> actors;
+    for (const Pair& pair : scene.pairs) {
+        actors.push_back(pair.a);
+        actors.push_back(pair.b);
+    }
+    live::Scene play = to_play_with(std::move(actors), viz::grown(draw(scene, {0, 0}).view, 0.05),
+                                    live::Told::verdicts);
+    play.settings.priority = Priority::level_order;
+    play.settings.contact_model = lod::ContactModel::centre_line;
+    play.budget = quota;
+    return play;
+}
+
 void give_every_cut(Lesson& lesson, const Scene& scene) {
     int misses = 0;
     int differences = 0;
@@ -213,6 +228,7 @@ void make_interruption(Lesson& lesson) {
     interruption::give_larger(lesson, scene, quota);
     interruption::give_fits(lesson, scene, quota);
     interruption::give_every_cut(lesson, scene);
+    give(lesson, interruption::play(scene, quota));
     interruption::animate(lesson, scene);
 }
 

@@ -233,6 +233,7 @@ void make_contact_and_impulse(Lesson& lesson) {
     give_impulse(lesson, scene, after);
     give_after(lesson, scene, after);
     impact::give_many_contacts(lesson);
+    give(lesson, impact::play(scene));
     impact::animate(lesson, scene);
 }
 

@@ -22,6 +22,9 @@ struct Scene {
 
 [[nodiscard]] Scene make_scene();
 
+/// The bodies on their way, for readers to play with.
+[[nodiscard]] live::Scene play(const Scene& start);
+
 /// The flight, the impact and what follows, as a video.
 void animate(Lesson& lesson, const Scene& start);
 

@@ -51,23 +51,47 @@ Scene make_scene() {
     return scene;
 }
 
-void animate(Lesson& lesson, const Scene& start) {
-    constexpr double back = 0.9;  // [s] before the contact
-    constexpr double time_step = 1.0 / 120;
-    constexpr int frames = 264;
-    lod::FrameSettings settings;
-    settings.time_step = time_step;
-    settings.deepest_level = start.level;
-    lod::FrameStorage<2> storage;
+namespace {
+
+/// The bodies some time before they touch.
+std::vector<Body<2>> on_their_way(const Scene& start) {
+    constexpr double back = 0.9;  // [s]
     std::vector<Body<2>> bodies{start.gear.body, start.star.body};
     for (Body<2>& body : bodies) {
         body.position -= back * body.velocity;
         body.orientation -= back * body.spin[0];
     }
+    return bodies;
+}
+
+lod::FrameSettings settings_of(const Scene& start) {
+    lod::FrameSettings settings;
+    settings.time_step = 1.0 / 120;
+    settings.deepest_level = start.level;
+    return settings;
+}
+
+}  // namespace
+
+live::Scene play(const Scene& start) {
+    const std::vector<Body<2>> bodies = on_their_way(start);
+    live::Scene scene =
+        to_play_with({{start.gear.visual, bodies[0]}, {start.star.visual, bodies[1]}},
+                     viz::grown(start.view, 0.25));
+    scene.settings = settings_of(start);
+    scene.settings.contact_model = lod::ContactModel::centre_line;
+    return scene;
+}
+
+void animate(Lesson& lesson, const Scene& start) {
+    constexpr int frames = 264;
+    const lod::FrameSettings settings = settings_of(start);
+    lod::FrameStorage<2> storage;
+    std::vector<Body<2>> bodies = on_their_way(start);
     viz::Run<2> run;
     run.name = video_words(lesson, "run");
     run.visuals = {start.gear.visual, start.star.visual};
-    run.time_step = time_step;
+    run.time_step = settings.time_step;
     for (int i = 0; i < frames; ++i) {
         const std::vector<Body<2>> now = bodies;
         lod::Budget budget = lod::Budget::unlimited();

@@ -145,6 +145,14 @@ void give_ways(Lesson& lesson, const Scene& scene) {
     lesson.animation = viz::impact_motion<2>({runs[1], runs[2], runs[3]}, motion);
 }
 
+/// The collision of the lesson, from its start; as level 1 answers it.
+live::Scene play(const Scene& scene) {
+    live::Scene play =
+        to_play_with({scene.meeting.a, scene.meeting.b}, box(-1.9, -1.15, 1.9, 1.35));
+    play.settings = at_level(1);
+    return play;
+}
+
 }  // namespace
 }  // namespace degradation
 
@@ -156,6 +164,7 @@ void make_graceful_degradation(Lesson& lesson) {
     degradation::give_error(lesson, scene);
     degradation::give_ways(lesson, scene);
     degradation::give_curves(lesson);
+    give(lesson, degradation::play(scene));
 }
 
 }  // namespace lessons

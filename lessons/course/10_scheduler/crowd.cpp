@@ -86,6 +86,19 @@ lod::FrameRecord<2> first_frame(const Crowd& crowd, lod::Priority policy,
     return lod::detect<2>(crowd.before.front(), settings, budget, storage);
 }
 
+live::Scene play(const Crowd& crowd) {
+    std::vector<viz::Actor<2>> actors;
+    for (std::size_t i = 0; i < crowd.visuals.size(); ++i)
+        actors.push_back({crowd.visuals[i], crowd.before.front()[i]});
+    live::Scene scene = to_play_with(std::move(actors), box(-3.4, -2.4, 3.4, 2.4),
+                                     live::Told::verdicts);
+    scene.settings.priority = lod::Priority::level_order;
+    scene.settings.viewer = looking_at(-aside);
+    scene.budget = crowd.quota();
+    scene.pair_cost = pair_cost;
+    return scene;
+}
+
 // listing: error_of
 Error error_of(const Crowd& crowd, lod::Priority policy, std::uint64_t quota) {
     lod::FrameSettings settings;

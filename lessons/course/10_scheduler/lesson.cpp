@@ -198,6 +198,7 @@ void make_scheduler(Lesson& lesson) {
     scheduler::give_best_gain(lesson, crowd);
     scheduler::give_perceptual(lesson, crowd);
     scheduler::give_worth(lesson, crowd);
+    give(lesson, scheduler::play(crowd));
     scheduler::animate(lesson, crowd);
 }
 

@@ -33,6 +33,9 @@ constexpr double aside = 1.4;  ///< how far to the left or right the observer lo
 [[nodiscard]] lod::FrameRecord<2> first_frame(const Crowd& crowd, lod::Priority policy,
                                               const lod::Viewer& viewer);
 
+/// Its first frame under the quota, for readers to play with.
+[[nodiscard]] live::Scene play(const Crowd& crowd);
+
 /// How wrong the frames of a crowd are under a quota: of all that impulses change, the share that
 /// is wrong; 0: nothing, 1: as much as there is to change.
 struct Error {

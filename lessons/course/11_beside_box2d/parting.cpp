@@ -190,6 +190,20 @@ void give_steps(Lesson& lesson) {
     give(lesson, "steps", viz::plot_panel("", axes, {curves[0], curves[1]}));
 }
 
+/// The row, for readers to play with.
+live::Scene play_row(const lod2d::Shape& shape, const std::vector<Body<2>>& bodies,
+                     double time_step) {
+    std::vector<viz::Actor<2>> actors;
+    for (const char* name : {"A", "B", "C"}) {
+        viz::Visual<2> visual = viz::visual_of(shape);
+        visual.name = name;
+        actors.push_back({std::move(visual), bodies[actors.size()]});
+    }
+    live::Scene scene = to_play_with(std::move(actors), box(-2.4, -1.4, 2.9, 1.4));
+    scene.settings = down_to(1000, lod::ContactModel::hull, time_step);
+    return scene;
+}
+
 void give_row(Lesson& lesson) {
     const lod2d::Shape shape = lod2d::generate("box:1,1");
     constexpr double time_step = 1.0 / 240;
@@ -209,6 +223,7 @@ void give_row(Lesson& lesson) {
     const auto energy = [](const std::vector<Body<2>>& bodies) {
         return number(lod::kinetic_energy<2>(bodies), 2, "J");
     };
+    give(lesson, play_row(shape, start, time_step));
     double apart = 0;
     for (const std::size_t i : {0u, 1u, 2u})
         apart = std::max(apart, (lcp[i].velocity - box2d[i].velocity).norm());

@@ -148,6 +148,15 @@ void give_exact(Lesson& lesson) {
     give(lesson, "touched", std::move(touched));
 }
 
+/// The stars on their way past each other, asked at level 1.
+live::Scene play(const Meeting& stars) {
+    live::Scene scene = to_play_with({stars.a, stars.b}, box(-2.25, -0.85, 2.25, 1.6));
+    scene.settings.time_step = time_step;
+    scene.settings.deepest_level = level;
+    scene.settings.contact_model = lod::ContactModel::centre_line;  // by circles alone
+    return scene;
+}
+
 }  // namespace
 }  // namespace early
 
@@ -155,6 +164,7 @@ void make_too_early(Lesson& lesson) {
     early::give_stars(lesson);
     early::give_exact(lesson);
     early::give_crowd(lesson);
+    give(lesson, early::play(early::passing_stars()));
 }
 
 }  // namespace lessons

@@ -152,6 +152,8 @@ class Stepper {
 
     void end() {
         output_ << "That was the last step. b goes back, q quits.\n";
+        if (lesson_.live)
+            output_ << text_for_terminal(lesson_, live_line(lesson_), options_.columns, false);
         const Tally tally = answers_.tally();
         if (tally.at_once + tally.later + tally.passed + tally.open > 0)
             output_ << "Questions: " << in_words(tally) << "\n";

@@ -5,14 +5,13 @@
 #include <iostream>
 
 #include "cli/arguments/command.hpp"
-#include "cli/arguments/misused.hpp"
+#include "cli/commands/lessons/named_lesson.hpp"
 #include "cli/stage/pictures.hpp"
 #include "cli/terminal/output.hpp"
 #include "lessons/engine/lessons.hpp"
 #include "lessons/engine/terminal/bookmarks.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
-#include "lodlab/scenes/spelling.hpp"
 
 namespace cli {
 namespace {
@@ -24,15 +23,6 @@ void print_lessons() {
                 ")\n";
     text += "Step through one: lodlab lesson 1\n";
     print(text);
-}
-
-lessons::Entry named_lesson(const std::string& word) {
-    if (const auto found = lessons::find_lesson(word)) return *found;
-    const std::vector<lessons::Entry> all = lessons::list();
-    std::vector<std::string_view> names;
-    for (const lessons::Entry& entry : all) names.emplace_back(entry.slug);
-    misused("no lesson " + word + scenes::did_you_mean(word, names) + "; there are 1 to " +
-            std::to_string(all.size()) + ", and lodlab lesson lists them");
 }
 
 /// Whether the terminal is told to be one of UTF-8, as the system's tools find out.
