@@ -97,18 +97,18 @@ class BookWriter {
     }
 
     /// Letters, digits and underscores, so that no address has to be escaped.
-    static std::string picture_name(std::string figure) {
+    static std::string picture_name(std::string figure, bool narrow = false) {
         for (char& c : figure)
             if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-        return figure + ".svg";
+        return figure + (narrow ? ".narrow.svg" : ".svg");
     }
 
     /// Without the words that the page says above it.
-    static void write_picture(const fs::path& path, viz::Figure figure) {
+    static void write_picture(const fs::path& path, viz::Figure figure, double width) {
         figure.title.clear();
         figure.numbers.clear();
         figure.caption.clear();
-        viz::write_web_svg(path, figure, picture_width(figure));
+        viz::write_web_svg(path, figure, width);
     }
 
     void film(const fs::path& path, const Lesson& lesson, viz::Theme theme) {
@@ -138,9 +138,7 @@ class BookWriter {
         return files;
     }
 
-    static bool has_live_part(const Lesson& lesson) {
-        return lesson.live && live::has_module();
-    }
+    static bool has_live_part(const Lesson& lesson) { return lesson.live && live::has_module(); }
 
     /// What all live parts share.
     void write_live_files(const std::vector<Lesson>& all) {
@@ -183,7 +181,9 @@ class BookWriter {
         fs::create_directory(folder);
         const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": pictures";
         for (const auto& [name, figure] : lesson.figures) {
-            write_picture(folder / picture_name(name), figure);
+            write_picture(folder / picture_name(name), figure, picture_width(figure));
+            if (const auto narrow = narrow_picture(figure))
+                write_picture(folder / picture_name(name, true), narrow->figure, narrow->width);
             meter_.did(what, picture_work);
         }
         kainjow::mustache::data data;

@@ -13,20 +13,23 @@ namespace {
 /// What the script grades by: the same as lessons::grade does.
 nlohmann::ordered_json key_of(const Lesson& lesson, const Question& question) {
     using Json = nlohmann::ordered_json;
-    constexpr const char* kinds[] = {"value", "above", "below"};
+    constexpr const char* kinds[] = {"value", "above", "below", "missing", "more", "kind"};
     Json key;
     for (const Choice& choice : question.choices)
         key["choices"].push_back(
             {{"right", choice.right}, {"reply", inline_html(lesson, choice.reply)}});
     if (!question.choices.empty()) return key;
-    key = {{"value", question.value},
-           {"tolerance", question.tolerance},
-           {"unit", question.unit},
-           {"reply", inline_html(lesson, question.reply)},
-           {"mistakes", Json::array()}};
+    for (const Pick& pick : question.picks)
+        key["picks"].push_back({{"name", pick.name}, {"right", pick.right}, {"kind", pick.kind}});
+    if (question.picks.empty())
+        key = {
+            {"value", question.value}, {"tolerance", question.tolerance}, {"unit", question.unit}};
+    key["reply"] = inline_html(lesson, question.reply);
+    key["mistakes"] = Json::array();
     for (const Mistake& mistake : question.mistakes)
         key["mistakes"].push_back({{"kind", kinds[static_cast<int>(mistake.kind)]},
                                    {"value", mistake.value},
+                                   {"picked", mistake.picked},
                                    {"reply", inline_html(lesson, mistake.reply)}});
     return key;
 }
@@ -61,6 +64,10 @@ std::string number_html(const Question& question, const std::string& id) {
                 : " <span class=\"unit\">" + escaped_html(question.unit) + "</span>") +
            "</p>\n";
 }
+
+/// What stands in the form of a question whose answer is given in the picture.
+constexpr const char* picked_html =
+    "<p class=\"picked\" hidden>Picked in the picture: <output>none</output></p>\n";
 
 }  // namespace
 
@@ -131,8 +138,9 @@ std::string form_html(const Lesson& lesson, const Question& question, std::size_
     return "<form class=\"question\" id=\"" + id + "\" data-name=\"" + escaped_html(question.name) +
            "\" novalidate autocomplete=\"off\">\n<fieldset>\n<legend>" +
            inline_html(lesson, question.prose) + "</legend>\n" +
-           (question.choices.empty() ? number_html(question, id)
-                                     : choices_html(lesson, question, id)) +
+           (!question.picks.empty()    ? picked_html
+            : question.choices.empty() ? number_html(question, id)
+                                       : choices_html(lesson, question, id)) +
            "<p class=\"acts\" hidden><button type=\"submit\">Answer</button> <button "
            "type=\"button\" class=\"pass\">Pass</button></p>\n"
            "<p class=\"reply\" role=\"status\" aria-live=\"polite\"></p>\n</fieldset>\n"

@@ -8,14 +8,58 @@
 #include "lessons/embed/lines.hpp"
 #include "lessons/embed/markdown.hpp"
 #include "lessons/embed/source.hpp"
+#include "lessons/engine/sketch.hpp"
+#include "lodlab/viz/paint/paint.hpp"
 
 namespace lessons {
 namespace {
 
-std::string picture_html(const std::string& path, const viz::Figure& figure) {
-    return "<a class=\"picture\" href=\"" + path + "\"><img src=\"" + path + "\" alt=\"" +
-           escaped_html(viz::plain_text(figure.alt)) + "\"" + size_attributes(figure) +
-           " loading=\"lazy\" decoding=\"async\"></a>";
+constexpr double of_few_columns = 520;  // 15 units, the smallest words, are 11 px on a phone
+
+std::string picture_html(const PicturePath& path_of, const std::string& name,
+                         const viz::Figure& figure) {
+    const std::string path = path_of(name, false);
+    std::string narrow;
+    if (const auto other = narrow_picture(figure))
+        narrow = "<source media=\"(max-width: 46rem)\" srcset=\"" + path_of(name, true) + "\"" +
+                 size_attributes(other->figure, other->width) + ">";
+    return "<a class=\"picture\" href=\"" + path + "\"><picture>" + narrow + "<img src=\"" + path +
+           "\" alt=\"" + escaped_html(viz::plain_text(figure.alt)) + "\"" +
+           size_attributes(figure) + " loading=\"lazy\" decoding=\"async\"></picture></a>";
+}
+
+/// A strip is as wide as its words ask for.
+std::string pane_tag(const viz::Figure& figure) {
+    constexpr double pixels = 0.75;  // for a unit
+    const auto narrow = narrow_picture(figure);
+    if (!narrow || !narrow->is_strip) return "<div class=\"pane\">";
+    return "<div class=\"pane strip\" style=\"--strip: " + shown(pixels * narrow->width, 0) +
+           "px\">";
+}
+
+/// What a question's reader picks, over the picture; the largest below the others.
+std::string picks_html(const viz::Figure& figure, const Question& question, const std::string& id) {
+    viz::Figure drawn = figure;  // as write_picture of the book draws it
+    drawn.title.clear();
+    drawn.numbers.clear();
+    drawn.caption.clear();
+    const double width = picture_width(figure);
+    const viz::Mapping place = viz::panel_places(drawn, width).front().mapping;
+    Picks picks = question.picks;
+    std::stable_sort(picks.begin(), picks.end(),
+                     [](const Pick& one, const Pick& other) { return one.radius > other.radius; });
+    std::string html = "<svg class=\"picks\" data-question=\"" + id + "\" role=\"group\" " +
+                       "aria-label=\"What may be picked\" viewBox=\"0 0 " + shown(width, 0) + " " +
+                       shown(width / figure.aspect, 0) + "\" hidden>";
+    for (const Pick& pick : picks) {
+        const viz::Point at = place(pick.centre);
+        html += "<circle class=\"pick\" data-name=\"" + escaped_html(pick.name) +
+                "\" role=\"checkbox\" aria-checked=\"false\" tabindex=\"0\" aria-label=\"Circle " +
+                escaped_html(pick.name) + "\" cx=\"" + std::to_string(at.x) + "\" cy=\"" +
+                std::to_string(at.y) + "\" r=\"" + std::to_string(place.length(pick.radius)) +
+                "\"/>";
+    }
+    return html + "</svg>";
 }
 
 std::string numbers_html(const std::vector<ShownNumber>& numbers) {
@@ -63,16 +107,38 @@ std::string live_html(const Lesson& lesson, const std::string& scene) {
 
 }  // namespace
 
+std::optional<NarrowPicture> narrow_picture(const viz::Figure& figure) {
+    constexpr double narrow_aspect = 1.28;   // two rows of it are whole beside a step's words
+    constexpr double strip_panel = 300;      // units across a panel
+    constexpr double strip_aspect = 0.88;    // of it with its title
+    constexpr double widest = 5;             // of figures
+    constexpr std::size_t most_in_grid = 4;  // panels
+    if (figure.columns < 3) return {};
+    NarrowPicture narrow{figure, of_few_columns, figure.panels.size() > most_in_grid};
+    viz::Figure& drawn = narrow.figure;
+    const auto panels = static_cast<double>(drawn.panels.size());
+    drawn.columns = narrow.is_strip ? static_cast<int>(drawn.panels.size()) : 2;
+    drawn.aspect = narrow.is_strip ? std::min(panels * strip_aspect, widest)
+                                   : std::min(figure.aspect, narrow_aspect);
+    if (narrow.is_strip) narrow.width = panels * strip_panel;
+    drawn.column_weights.clear();
+    for (viz::Panel& panel : drawn.panels) panel.cell.reset();
+    return narrow;
+}
+
 double picture_width(const viz::Figure& figure) {
     constexpr double of_three_columns = 640;
-    constexpr double narrow = 520;  // 15 units, the smallest words, are 11 px on a phone
-    return figure.columns > 2 ? of_three_columns : narrow;
+    return figure.columns > 2 ? of_three_columns : of_few_columns;
 }
 
 std::string size_attributes(const viz::Figure& figure) {
-    const auto width = static_cast<int>(std::lround(picture_width(figure)));
+    return size_attributes(figure, picture_width(figure));
+}
+
+std::string size_attributes(const viz::Figure& figure, double width) {
+    const auto wide = static_cast<int>(std::lround(width));
     const auto tall = static_cast<int>(std::lround(width / figure.aspect));
-    return " width=\"" + std::to_string(width) + "\" height=\"" + std::to_string(tall) + "\"";
+    return " width=\"" + std::to_string(wide) + "\" height=\"" + std::to_string(tall) + "\"";
 }
 
 std::string listing_html(const std::string& code) {
@@ -150,7 +216,7 @@ class PageWriter {
 
     /// A picture with its finding in words, and what it counts unless that stands beside it.
     std::string figure_html(const std::string& name, const std::vector<ShownNumber>& beside = {},
-                            const std::string& element = "<figure>") {
+                            const std::string& element = "<figure>", const std::string& over = "") {
         const viz::Figure& figure = lesson_.figures.at(name);
         std::string facts;
         for (const viz::Quantity& number : figure.numbers)
@@ -161,18 +227,33 @@ class PageWriter {
         return element + "<figcaption><strong>" + figure_words_html(figure.title) + "</strong>" +
                (facts.empty() ? "" : " <span class=\"facts\">" + facts + "</span>") +
                (figure.caption.empty() ? "" : " " + figure_words_html(figure.caption)) +
-               "</figcaption>" + picture_html(picture_path_(name), figure) + "</figure>";
+               "</figcaption>" + pane_tag(figure) + picture_html(picture_path_, name, figure) +
+               over + "</div></figure>";
     }
 
     std::string step_html(std::size_t index) {
         const Step& step = lesson_.steps[index];
+        const std::string picks = picks_of(step);  // before its questions are numbered
         const std::string id = "step-" + std::to_string(index + 1);
         return "<article class=\"step\" id=\"" + id + "\" aria-labelledby=\"" + id +
                "-title\">\n<h3 id=\"" + id + "-title\"><span>" + std::to_string(index + 1) + "/" +
                std::to_string(lesson_.steps.size()) + "</span> " + escaped_html(step.title) +
-               "</h3>\n" + figure_html(step.figure, step.numbers) + "\n<div class=\"words\">" +
-               text_html(step.text) + numbers_html(step.numbers) + "</div>\n" +
-               questions_html(step) + "</article>\n";
+               "</h3>\n" + figure_html(step.figure, step.numbers, "<figure>", picks) +
+               "\n<div class=\"words\">" + text_html(step.text) + numbers_html(step.numbers) +
+               "</div>\n" + questions_html(step) + "</article>\n";
+    }
+
+    /// Over the picture of a step, for those of its questions that are answered there.
+    [[nodiscard]] std::string picks_of(const Step& step) const {
+        std::string html;
+        std::size_t number = questions_;
+        for (const Question& question : step.questions) {
+            ++number;
+            if (!question.picks.empty())
+                html += picks_html(lesson_.figures.at(step.figure), question,
+                                   "question-" + std::to_string(number));
+        }
+        return html;
     }
 
     std::string questions_html(const Step& step) {

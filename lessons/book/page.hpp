@@ -1,20 +1,33 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "lessons/engine/lessons.hpp"
 
 namespace lessons {
 
-/// The path of a figure's picture, relative to the page.
-using PicturePath = std::function<std::string(const std::string& figure)>;
+/// The path of a figure's picture, relative to the page; of its narrow one where it has one.
+using PicturePath = std::function<std::string(const std::string& figure, bool narrow)>;
+
+/// A figure of many columns as a window has it that is as narrow as a phone's.
+struct NarrowPicture {
+    viz::Figure figure;
+    double width = 0;       ///< in units
+    bool is_strip = false;  ///< scrolled sideways
+};
+
+/// Up to four panels in two columns, more of them as a strip, so that words and shapes can be seen.
+/// Nothing for a figure of few columns.
+[[nodiscard]] std::optional<NarrowPicture> narrow_picture(const viz::Figure& figure);
 
 /// Units across a figure's picture: few, so that its words can be read on a phone.
 [[nodiscard]] double picture_width(const viz::Figure& figure);
 
 /// " width=... height=..." of a figure's picture, so that a page keeps its place free.
 [[nodiscard]] std::string size_attributes(const viz::Figure& figure);
+[[nodiscard]] std::string size_attributes(const viz::Figure& figure, double width);
 
 /// The files of the lesson's video, relative to the page; empty where there is none.
 struct VideoFiles {

@@ -23,6 +23,15 @@ std::string raw_html(std::string_view markdown) {
     return html;
 }
 
+/// The empty cell at the corner of a table heads nothing: it is a plain one.
+std::string with_plain_corners(std::string html) {
+    constexpr std::string_view empty = "<th></th>";
+    constexpr std::string_view plain = "<td></td>";
+    for (std::size_t at = html.find(empty); at != std::string::npos; at = html.find(empty, at))
+        html.replace(at, empty.size(), plain);
+    return html;
+}
+
 std::string unescaped(std::string text) {
     constexpr std::pair<std::string_view, std::string_view> names[] = {
         {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}};
@@ -71,7 +80,7 @@ std::vector<Equation> find_equations(std::string_view markdown) {
 
 std::string markdown_to_html(std::string_view markdown,
                              const std::map<std::string, std::string>& equations) {
-    return replace_equations(raw_html(markdown), [&](const Equation& equation) {
+    return replace_equations(with_plain_corners(raw_html(markdown)), [&](const Equation& equation) {
         const auto found = equations.find(equation.key());
         if (found == equations.end())
             throw lod::Error(lod::ErrorKind::input_refused,

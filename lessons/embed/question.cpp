@@ -9,7 +9,7 @@
 namespace lessons {
 namespace {
 
-constexpr std::array<std::string_view, 6> keys{"answer",  "within", "choice",
+constexpr std::array<std::string_view, 7> keys{"answer",  "within", "choice", "pick",
                                                "mistake", "reply",  "told in"};
 
 }  // namespace
@@ -29,7 +29,7 @@ void take_line(QuestionScript& question, const std::string& line, const std::str
         if (std::find(keys.begin(), keys.end(), key) == keys.end())
             refuse_line(where, number,
                         "a question has no '" + std::string(key) +
-                            "'; it has answer, within, choice, mistake, reply and told in");
+                            "'; it has answer, within, choice, pick, mistake, reply and told in");
         question.lines.push_back(
             {std::string(key), {trimmed(std::string_view(line).substr(key.size() + 2)), number}});
         return;

@@ -12,7 +12,8 @@ struct KeyText {
     int line = 0;  ///< of lesson.md, 1 and up
 };
 
-/// A line of a question: `answer: ...`, `within: ...`, `choice: ...`, `mistake: ...`, `reply: ...`,
+/// A line of a question: `answer: ...`, `within: ...`, `choice: ...`, `pick: ...`, `mistake: ...`,
+/// `reply: ...`,
 /// `told in: ...`.
 struct QuestionLine {
     std::string key;

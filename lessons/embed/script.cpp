@@ -149,8 +149,7 @@ class Reader {
                        std::to_string(place->second.line));
             word_ = &place->second;
         } else if (words_->empty() || !word_) {
-            refuse(
-                "below such a tag stand lines 'title: ...'; begin a text with a blank line");
+            refuse("below such a tag stand lines 'title: ...'; begin a text with a blank line");
         } else {
             word_->text += " " + text;
         }

@@ -58,9 +58,9 @@ void complete_live(Lesson& lesson, Filler& filler) {
     const auto say = [&](const std::string& key) -> const KeyText& {
         const auto found = lesson.script.live.find(key);
         if (found == lesson.script.live.end())
-            refuse_line(lesson.script.where, lesson.script.live_line,
-                        "the live part has no " + key + "; add a line '" + key +
-                            ": ...' below its tag");
+            refuse_line(
+                lesson.script.where, lesson.script.live_line,
+                "the live part has no " + key + "; add a line '" + key + ": ...' below its tag");
         return found->second;
     };
     live.title = filler.fill(say("title"));
@@ -106,6 +106,11 @@ void give(Lesson& lesson, const std::string& name, viz::Panel panel, const Heade
             {told, find_given(lesson.numbers, "number", number, short_path(place.file), place.line)
                        .text});
     give(lesson, name, std::move(figure), place);
+}
+
+void give(Lesson& lesson, const std::string& name, Picks picks, Place place) {
+    remember(lesson, "picks ", name, place);
+    lesson.picks[name] = std::move(picks);
 }
 
 void give(Lesson& lesson, live::Scene scene, Place place) {

@@ -57,6 +57,12 @@ void Filler::use_figure(const std::string& name, int line) {
     used_.insert("figure " + name);
 }
 
+const Picks& Filler::use_picks(const std::string& name, int line) {
+    const Picks& picks = find_given(lesson_.picks, "picks", name, where(), line);
+    used_.insert("picks " + name);
+    return picks;
+}
+
 void Filler::use_live(int line) {
     if (!lesson_.live) refuse_line(where(), line, "the lesson's code gives no scene to play with");
     used_.insert("live part");

@@ -42,6 +42,7 @@ class Filler {
     const Number& use_number(const std::string& name, int line);
     std::string number(const std::string& name, const std::string& format, int line);
     void use_figure(const std::string& name, int line);
+    const Picks& use_picks(const std::string& name, int line);
 
     void use_live(int line);
 

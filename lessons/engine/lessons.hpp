@@ -72,6 +72,7 @@ struct Lesson {
 
     std::map<std::string, Number> numbers;
     std::map<std::string, viz::Figure> figures;
+    std::map<std::string, Picks> picks;
     viz::Animation animation;
     std::optional<LivePart> live;
     std::map<std::string, std::string> given;  ///< where the code gave a name: "lesson.cpp:12"
@@ -95,6 +96,9 @@ struct Place {
 void give(Lesson& lesson, const std::string& name, Number number, Place place = Place::current());
 void give(Lesson& lesson, const std::string& name, viz::Figure figure,
           Place place = Place::current());
+
+/// What a question's reader may pick in its step's picture.
+void give(Lesson& lesson, const std::string& name, Picks picks, Place place = Place::current());
 
 /// The scene of the live part; its name and title are the lesson's.
 void give(Lesson& lesson, live::Scene scene, Place place = Place::current());

@@ -67,7 +67,13 @@ const form = [...document.querySelectorAll('article.step:not(.away) form.questio
     .find(one => !one.querySelector('.acts').hidden);
 const key = JSON.parse(form.querySelector('.key').textContent);
 const rightly = RIGHTLY;
-if (key.choices) {
+if (key.picks) {
+  const marks = [...document.querySelectorAll(`svg.picks[data-question=${form.id}] .pick`)];
+  const wanted = key.picks.filter((pick) => pick.right).slice(0, rightly ? undefined : 1).map((pick) => pick.name);
+  for (const mark of marks)
+    if ((mark.getAttribute('aria-checked') === 'true') !== wanted.includes(mark.dataset.name))
+      mark.dispatchEvent(new MouseEvent('click'));
+} else if (key.choices) {
   const i = key.choices.findIndex(choice => rightly ? choice.right : !choice.right && choice.reply !== '');
   form.querySelectorAll('input')[i].checked = true;
 } else {
@@ -226,7 +232,7 @@ def check_questions(browser, page, report):
             browser.run("document.querySelector('.scrubber .next').click()")
             seen = browser.run(QUESTIONS)
             report.expect(f"{name}, step {number}: the question blocks", seen["step"], number)
-            report.expect(f"{name}, step {number}: the question has the focus", seen["focus"], "INPUT")
+            report.expect(f"{name}, step {number}: the question has the focus", seen["focus"] in ("INPUT", "circle"), True)
             for rightly, state in ((False, "wrong"), (True, "right")):
                 browser.run(ANSWER.replace("RIGHTLY", json.dumps(rightly)))
                 report.expect(f"{name}, step {number}: an answer is {state}", state in browser.run(QUESTIONS)["states"],
@@ -247,6 +253,42 @@ def check_questions(browser, page, report):
     report.expect(f"{name}: begun again", browser.run(QUESTIONS), {
         "step": 1, "states": [""] * len(browser.run(QUESTIONS)["states"]),
         "replies": [""] * len(browser.run(QUESTIONS)["states"]), "tally": "", "focus": "BUTTON"})
+
+
+def check_picks(browser, page, report):
+    """A question that is answered in the picture: by the mouse, by a finger and by keys."""
+    name = page.parent.name
+    browser.open(page)
+    browser.run("localStorage.clear()")
+    for width, height in ((1280, 800), (390, 844)):
+        hand = "touch" if width < 600 else "mouse"
+        browser.measure(width, height)
+        browser.open(page)
+        number = browser.run("return Number(document.querySelector('svg.picks').closest('article').id.slice(5))")
+        browser.open(page, f"#step-{number}")
+        browser.run("document.querySelector('article.step:not(.away) svg.picks').scrollIntoView({ block: 'center' })")
+        marks = browser.run("return [...document.querySelectorAll('article.step:not(.away) .pick')].map((mark) => {"
+                            "const box = mark.getBoundingClientRect(); return [mark.dataset.name, box.left + box.width / 2,"
+                            "box.top + box.height / 2, document.elementFromPoint(box.left + box.width / 2, box.top + box.height / 2) === mark]; })")
+        report.expect(f"{name}, {width}: the marks lie over the picture", browser.run(
+            "const step = document.querySelector('article.step:not(.away)');"
+            "const [a, b] = ['img', 'svg.picks'].map((part) => step.querySelector(part).getBoundingClientRect());"
+            "return Math.max(Math.abs(a.left - b.left), Math.abs(a.top - b.top), Math.abs(a.right - b.right), Math.abs(a.bottom - b.bottom)) < 1.5"), True)
+        report.expect(f"{name}, {width}: each mark is there to be hit", [hit for *_, hit in marks], [True] * len(marks))
+        for mark, x, y, _ in marks[:2]:
+            browser.call(browser.session + "/actions", {"actions": [
+                {"type": "pointer", "id": hand, "parameters": {"pointerType": hand}, "actions": [
+                    {"type": "pointerMove", "x": round(x), "y": round(y)}, {"type": "pointerDown", "button": 0},
+                    {"type": "pointerUp", "button": 0}]}]})
+        picked = "return document.querySelector('article.step:not(.away) .picked output').textContent"
+        report.expect(f"{name}, {width}: picked", browser.run(picked), ", ".join(sorted((mark for mark, *_ in marks[:2]), key=int)))
+        browser.run("document.querySelectorAll('article.step:not(.away) .pick')[0].focus()")
+        browser.press(ENTER)
+        report.expect(f"{name}, {width}: dropped by Enter", browser.run(picked), marks[1][0])
+        browser.press(" ")
+        report.expect(f"{name}, {width}: picked by the space bar", browser.run(picked) != marks[1][0], True)
+        report.expect(f"{name}, {width}: still at the step", browser.run("return location.hash"), f"#step-{number}")
+    browser.command("Emulation.clearDeviceMetricsOverride", {})
 
 
 def check_typing(browser, page, report):
@@ -306,6 +348,8 @@ def main(book):
                 check_steps(browser, page, report)
                 check_questions(browser, page, report)
                 check_looks(browser, page, report)
+            for lesson in ("distance_test", "traversal"):
+                check_picks(browser, book / lesson / "index.html", report)
             check_typing(browser, book / "distance_test/index.html", report)
             browser.open(book / "index.html")
             report.expect("index: links", browser.run(

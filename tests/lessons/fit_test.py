@@ -18,6 +18,13 @@ SMALLEST_OF_PICTURE = 15  # units of a picture: its smallest words
 # Everything of the step that is shown stands below the controls and above the window's foot; on a wide window words
 # and picture stand side by side, on a narrow one the picture takes at most 55 % of the height.
 MEASURE = """
+// Pixels for one unit of the picture: that of the window's width, fitted into its box.
+const unitOf = (image) => {
+  const narrow = image.parentElement.querySelector('source');
+  const drawn = narrow && image.currentSrc.endsWith(narrow.srcset) ? narrow : image;
+  const box = image.getBoundingClientRect();
+  return Math.min(box.width / drawn.getAttribute('width'), box.height / drawn.getAttribute('height'));
+};
 const measure = () => {
 const scrubber = document.querySelector('.scrubber').getBoundingClientRect();
 const step = [...document.querySelectorAll('article.step')].find(s => s.getClientRects().length > 0);
@@ -34,7 +41,7 @@ return {
   split: step.classList.contains('split'),
   asking: step.classList.contains('asking'),
   wide: document.documentElement.scrollWidth - innerWidth,
-  unit: image.width / step.querySelector('img').getAttribute('width'),
+  unit: unitOf(step.querySelector('img')),
   height: innerHeight,
 };
 };

@@ -38,6 +38,24 @@ for (const line of table.split("\n")) {
 }
 expect("rows", rows > 80, true);
 
+const pickKeyOf = ([all, right, foreseen]) => ({
+  reply: "", picks: all.split(",").map((text) => text.trim().split("=")).map(([name, kind]) =>
+    ({ name, kind: kind ?? "", right: right.split(",").some((one) => one.trim() === name) })),
+  mistakes: foreseen.split(",").map((text, i) => {
+    const picked = text.trim();
+    return { kind: ["missing", "more"].includes(picked) ? picked : "kind", picked, reply: `foreseen ${i}` };
+  }),
+});
+let pickRows = 0;
+for (const line of fs.readFileSync(path.join(source, "tests/lessons/picking.txt"), "utf8").split("\n")) {
+  if (line === "" || line.startsWith("#")) continue;
+  const row = line.split("|").map((part) => part.trim());
+  const { grade, reply } = Grade.grade(pickKeyOf(row), row[3]);
+  expect(line, grade === "foreseen" ? reply : grade, row[4]);
+  ++pickRows;
+}
+expect("rows of picks", pickRows > 20, true);
+
 const choices = { choices: [{ right: false, reply: "No proof." }, { right: true, reply: "" }, { right: false, reply: "" }] };
 expect("a foreseen choice", Grade.grade(choices, "a"), { grade: "foreseen", reply: "No proof." });
 expect("the right choice", Grade.grade(choices, "b").grade, "right");

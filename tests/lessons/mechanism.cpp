@@ -181,6 +181,37 @@ TEST_CASE("the video's words are there to be asked for, and all of them are", "[
                "small/lesson.md:20: the lesson's code asks for no words 'meet'"));
 }
 
+TEST_CASE("a live part has a title, a task and controls, and a scene of the code", "[lessons]") {
+    const auto playable = [](const std::string& below, bool with_scene = true) {
+        Lesson lesson = small_lesson(with("The end.", "{{live}}\n" + below));
+        if (with_scene) give(lesson, live::Scene());
+        return lesson;
+    };
+    const std::string title = "title: Play\n";
+    const std::string task = "try: Move it by {{number: depth}}.\n";
+    const Lesson lesson = completed(playable(title + task + "controls: level, policy trade"));
+    REQUIRE(lesson.live);
+    CHECK(lesson.live->title == "Play");
+    CHECK(lesson.live->task == "Move it by 0.5\u00a0m.");
+    CHECK(lesson.live->controls == "level, policy trade");
+    CHECK(lesson.live->scene.name == "small");
+    CHECK(says(text_for_terminal(lesson, lesson.text, 80, false),
+               "lodlab page lesson:small --out small.html"));
+    CHECK(says(complaint([&] { (void)completed(playable(title + task)); }),
+               "small/lesson.md:18: the live part has no controls"));
+    CHECK(says(complaint([&] { (void)completed(playable(title + task + "controls: levl")); }),
+               "small/lesson.md:21: no control 'levl'"));
+    CHECK(says(
+        complaint([&] { (void)completed(playable(title + task + "controls: level\nalt: None")); }),
+        "small/lesson.md:22: a live part has no 'alt'"));
+    CHECK(says(complaint([&] { (void)completed(playable(title, false)); }),
+               "small/lesson.md:18: the lesson's code gives no scene"));
+    Lesson vain = small_lesson();
+    give(vain, live::Scene());
+    CHECK(says(complaint([&] { complete(vain); }), "uses the live part"));
+    CHECK(says(complaint_of(with("The end.", "{{live}}\n\n{{live}}")), "a live part already"));
+}
+
 TEST_CASE("tags are found in order with their names", "[lessons]") {
     const auto tags =
         find_tags("a {{number: depth}} b\n{{ steps }}\n{{listing: core/x.hpp f}}", "t");
@@ -264,6 +295,12 @@ TEST_CASE("equations are found, and shown as the MathML that they were converted
     CHECK(says(html, "With <math>1</math> we have"));
     CHECK(says(html, "<math>2</math>"));
     CHECK(says(complaint([&] { (void)markdown_to_html(text, {}); }), "$a < b$"));
+}
+
+TEST_CASE("the empty corner of a table is no heading", "[lessons]") {
+    const std::string html = markdown_to_html("| | plane |\n|---|---|\n| **a** | |\n", {});
+    CHECK(says(html, "<td></td>\n<th>plane</th>"));
+    CHECK_FALSE(says(html, "<th></th>"));
 }
 
 TEST_CASE("every equation of every lesson was converted when the library was built", "[lessons]") {

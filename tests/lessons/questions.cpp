@@ -99,6 +99,17 @@ void check_refused(const std::string& text, const std::string& why) {
     CHECK_THAT(refusal_of(text), lodtest::contains(why));
 }
 
+/// One right pick alone misses the others; all right ones and a wrong one are too many.
+void check_mistakes_in_picks(const Question& question) {
+    const auto first = [&](bool right) {
+        return std::find_if(question.picks.begin(), question.picks.end(),
+                            [&](const Pick& pick) { return pick.right == right; })
+            ->name;
+    };
+    CHECK(grade(question, first(true)).grade == Grade::foreseen);
+    CHECK(grade(question, question.answer + " " + first(false)).grade == Grade::foreseen);
+}
+
 constexpr const char* number_lines =
     "answer: {{number: depth}}\nwithin: 10 %\nreply: As deep.\nmistake: 2 × {{number: depth}}\n"
     "reply: Twice as deep.\n";
@@ -276,6 +287,7 @@ TEST_CASE("every lesson asks, foresees mistakes, and grades its own answers as r
                 INFO(question.name);
                 ++asked;
                 CHECK(grade(question, question.answer).grade == Grade::right);
+                if (!question.picks.empty()) check_mistakes_in_picks(question);
                 for (const Mistake& mistake : question.mistakes) {
                     if (mistake.kind != Mistake::Kind::value) continue;
                     const Graded graded = grade(question, std::to_string(mistake.value));

@@ -149,6 +149,11 @@ double page_height(const Figure& figure, double width) {
     return std::round(width / figure.aspect);
 }
 
+std::vector<PanelPlace> panel_places(const Figure& figure, double width) {
+    Canvas canvas(PageFormat::image, width, page_height(figure, width), 1);
+    return lay_out_page(figure, canvas, width).panels;
+}
+
 double pixels_per_unit(Quality quality) {
     switch (quality) {
         case Quality::draft:

@@ -11,6 +11,9 @@ void paint(const Figure& figure, Theme theme, Canvas& canvas, double width = pag
 /// Height of the figure's page.
 [[nodiscard]] double page_height(const Figure& figure, double width = page_width);
 
+/// Where the panels of a figure stand on its page of that width.
+[[nodiscard]] std::vector<PanelPlace> panel_places(const Figure& figure, double width = page_width);
+
 /// Pixels for one page unit.
 [[nodiscard]] double pixels_per_unit(Quality quality);
 

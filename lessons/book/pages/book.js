@@ -138,7 +138,10 @@ for (const section of document.querySelectorAll("section.steps")) {
   // A swipe over the picture turns the page.
   let start = null;
   section.addEventListener("touchstart", (event) => {
-    start = event.touches.length === 1 && event.target.closest("figure") ? event.touches[0] : null;
+    const figure = event.target.closest("figure");
+    const strip = figure?.querySelector(".strip");
+    const scrolls = strip && strip.scrollWidth > strip.clientWidth;
+    start = event.touches.length === 1 && figure && !scrolls ? event.touches[0] : null;
   }, { passive: true });
   section.addEventListener("touchend", (event) => {
     if (!start) return;

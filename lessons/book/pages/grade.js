@@ -116,10 +116,28 @@ const Grade = (() => {
     return foreseen ? { grade: "foreseen", reply: foreseen.reply } : { grade: "wrong", reply: "" };
   };
 
+  const gradePicks = (key, answer) => {
+    const names = answer.toLowerCase().split(/[\s,;]+/).filter((name) => name !== "" && name !== "and");
+    if (!names.every((name) => key.picks.some((pick) => pick.name.toLowerCase() === name)))
+      return { grade: "unclear", reply: `Answer with names from the picture: ${key.picks.map((pick) => pick.name).join(", ")}.` };
+    const isPicked = (pick) => names.includes(pick.name.toLowerCase());
+    const wrong = key.picks.filter((pick) => isPicked(pick) && !pick.right);
+    if (wrong.length === 0 && key.picks.every((pick) => isPicked(pick) === pick.right)) return { grade: "right", reply: key.reply };
+    const isMade = ({ kind, picked }) => {
+      if (kind === "missing") return wrong.length === 0;
+      if (kind === "more") return wrong.length > 0;
+      return wrong.some((pick) => pick.kind === picked);
+    };
+    const foreseen = key.mistakes.find(isMade);
+    return foreseen ? { grade: "foreseen", reply: foreseen.reply } : { grade: "wrong", reply: "" };
+  };
+
   // What an answer is worth: right; wrong, as foreseen or not; or unclear. The reply may be empty.
   const grade = (key, typed) => {
     const answer = typed.trim();
-    if (answer === "") return { grade: "unclear", reply: key.choices ? "Choose an answer, or pass." : "Type an answer, or pass." };
+    if (answer === "")
+      return { grade: "unclear", reply: key.picks ? "Pick in the picture, or pass." : key.choices ? "Choose an answer, or pass." : "Type an answer, or pass." };
+    if (key.picks) return gradePicks(key, answer);
     if (!key.choices) return gradeNumber(key, answer);
     const choice = key.choices[answer.charCodeAt(0) - 97];
     if (choice.right) return { grade: "right", reply: choice.reply };

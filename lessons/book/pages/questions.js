@@ -40,6 +40,37 @@ const Answers = (() => {
   return { of, put, forget, summary };
 })();
 
+// What a question's reader picks in the picture of its step: round marks that are there or not.
+const Picks = (form) => {
+  const sheet = document.querySelector(`svg.picks[data-question=${form.id}]`);
+  const marks = [...sheet.querySelectorAll(".pick")];
+  const told = form.querySelector(".picked output");
+  const inOrder = () => marks.filter((mark) => mark.getAttribute("aria-checked") === "true")
+    .map((mark) => mark.dataset.name).sort((a, b) => a.localeCompare(b, "en", { numeric: true }));
+  const tell = () => { told.textContent = inOrder().join(", ") || "none"; };
+  const toggle = (mark) => {
+    if (mark.getAttribute("aria-disabled") === "true") return;
+    mark.setAttribute("aria-checked", String(mark.getAttribute("aria-checked") !== "true"));
+    tell();
+  };
+  for (const mark of marks) {
+    mark.addEventListener("click", () => toggle(mark));
+    mark.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      toggle(mark);
+    });
+  }
+  const setAll = (name, value) => { for (const mark of marks) mark.setAttribute(name, value); };
+  return {
+    names: () => inOrder().join(" "),
+    first: () => marks[0],
+    pick: (names) => { for (const mark of marks) mark.setAttribute("aria-checked", String(names.split(" ").includes(mark.dataset.name))); tell(); },
+    open: () => { sheet.removeAttribute("hidden"); form.querySelector(".picked").hidden = false; setAll("aria-disabled", "false"); setAll("aria-checked", "false"); tell(); },
+    close: () => setAll("aria-disabled", "true"),
+  };
+};
+
 // Makes a form answer; `replied` is called after every word to the reader, `settled` whenever a question is answered
 // rightly or passed.
 const openQuestion = (form, lesson, { replied, settled }) => {
@@ -47,9 +78,10 @@ const openQuestion = (form, lesson, { replied, settled }) => {
   const reply = form.querySelector(".reply");
   const fields = [...form.querySelectorAll("input")];
   const acts = form.querySelector(".acts");
+  const pickable = key.picks && Picks(form);
   let state = Answers.of(lesson, form.dataset.name);
 
-  const answer = () => (key.choices ? fields.find((field) => field.checked)?.value ?? "" : fields[0].value);
+  const answer = () => pickable?.names() ?? (key.choices ? fields.find((field) => field.checked)?.value ?? "" : fields[0].value);
   const say = (kind, words, html = "") => {
     form.dataset.state = kind;
     reply.textContent = words + (words && html ? " " : "");
@@ -57,6 +89,7 @@ const openQuestion = (form, lesson, { replied, settled }) => {
   };
   const close = (quiet) => {
     fields.forEach((field) => { field.disabled = true; });
+    pickable?.close();
     acts.hidden = true;
     if (state.right) say("right", "Right.", Grade.grade(key, state.answer).reply);
     else say("passed", "Passed: a later step tells the answer.");
@@ -93,9 +126,11 @@ const openQuestion = (form, lesson, { replied, settled }) => {
 
   fields.forEach((field) => { field.hidden = false; });
   form.querySelector(".typed")?.removeAttribute("hidden");
+  pickable?.open();
   acts.hidden = false;
   if (state.right || state.passed) {
-    if (key.choices) fields.forEach((field) => { field.checked = field.value === state.answer; });
+    if (pickable) pickable.pick(state.answer);
+    else if (key.choices) fields.forEach((field) => { field.checked = field.value === state.answer; });
     else fields[0].value = state.answer;
     close(true);
   }
@@ -105,11 +140,12 @@ const openQuestion = (form, lesson, { replied, settled }) => {
     ask: () => {
       if (!form.dataset.state) say("unclear", "Answer, or pass, to go on.");
       replied();
-      fields[0].focus({ preventScroll: true });
+      (pickable ? pickable.first() : fields[0]).focus({ preventScroll: true });
     },
     again: () => {
       state = Answers.of(lesson, form.dataset.name);
       fields.forEach((field) => { field.disabled = field.checked = false; if (!key.choices) field.value = ""; });
+      pickable?.open();
       acts.hidden = false;
       delete form.dataset.state;
       reply.textContent = "";

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "lessons/engine/lessons.hpp"
 #include "lessons/engine/sketch.hpp"
 #include "lodlab/core/math/sphere.hpp"
+#include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/lod2d/shape/overlap.hpp"
 
@@ -151,6 +153,67 @@ void give_overlap(Lesson& lesson, const Scene& scene) {
     give(lesson, "possible", std::move(figure));
 }
 
+/// Stars round the gear, some of whose circles meet its own.
+std::vector<Scene> stars_round_the_gear() {
+    constexpr std::array shares{0.90, 1.13, 0.96, 1.08, 0.78, 1.2};  // of the reach
+    std::vector<Scene> stars;
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        const double turn = static_cast<double>(i) / shares.size();
+        Scene one = make_scene(0, lod::full_turn * (0.3 * turn + 0.07));
+        one.star_shape = scaled(lod2d::generate("star:5"), 0.8);
+        one.star_radius = holding_radius(one.star_shape);
+        one.star = actor("star", one.star_shape);
+        const auto [sine, cosine] = lod::sine_cosine(lod::full_turn * (turn + 0.04));
+        one.star.body.position =
+            shares[i] * (one.gear_radius + one.star_radius) * Vec(cosine, sine);
+        one.star.body.orientation = lod::full_turn * (0.3 * turn + 0.07);
+        stars.push_back(std::move(one));
+    }
+    return stars;
+}
+
+bool shapes_meet(const Scene& scene) {
+    return lod2d::overlap(outline_of(scene.gear_shape, scene.gear.body),
+                          outline_of(scene.star_shape, scene.star.body));
+}
+
+/// Which stars need a closer look: before their circles are tested, and after.
+void give_many(Lesson& lesson) {
+    const std::vector<Scene> stars = stars_round_the_gear();
+    viz::Panel before;
+    before.view = box(-2.3, -1.75, 2.3, 1.75);
+    add_body(before, stars[0].gear, 0);
+    viz::Panel after = before;
+    add_ball(before, stars[0].gear_circle(), style(viz::Role::level_node, 0, 0));
+    add_ball(after, stars[0].gear_circle(), style(viz::Role::meeting_node, 0, 0));
+    Picks picks;
+    int possible = 0;
+    int touching = 0;
+    for (const Scene& one : stars) {
+        const Sphere<2> circle = one.star_circle();
+        const std::string name = shown_count(picks.size() + 1);
+        const bool meet = one.circles_meet();
+        possible += meet ? 1 : 0;
+        touching += shapes_meet(one) ? 1 : 0;
+        picks.push_back({name, at(circle.centre), circle.radius, meet, ""});
+        for (viz::Panel* panel : {&before, &after}) {
+            const viz::Role tested = meet ? viz::Role::meeting_node : viz::Role::node;
+            add_body(*panel, one.star, 1);
+            add_ball(*panel, circle,
+                     style(panel == &before ? viz::Role::level_node : tested, 1, 0));
+            add_label(*panel, viz::Role::body, circle.centre, name, 1, circle.radius);
+        }
+    }
+    give(lesson, "stars", count(stars.size()));
+    give(lesson, "possible stars", count(possible));
+    give(lesson, "proved stars", count(static_cast<int>(stars.size()) - possible));
+    give(lesson, "touching stars",
+         words(touching == 1 ? "one" : std::to_string(touching), touching));
+    give(lesson, "stars untested", std::move(before));
+    give(lesson, "stars tested", std::move(after));
+    give(lesson, "star circles", std::move(picks));
+}
+
 /// Two plain circles that meet in exactly one point.
 void give_touching(Lesson& lesson) {
     // listing: touching
@@ -228,7 +291,7 @@ void give_rounding(Lesson& lesson) {
 live::Scene play(const Scene& scene) {
     const auto circled = [](viz::Actor<2> body, const lod2d::Shape& shape, double radius) {
         auto tree = std::make_shared<lod::SphereTree<2>>(*tree_of(shape, 1));
-        tree->centre[0] = Vec::Zero();
+        for (std::vector<double>& coordinates : tree->centre) coordinates[0] = 0;
         tree->radius[0] = radius;
         lod::renew<2>(*tree);
         body.body.tree = std::move(tree);
@@ -271,6 +334,7 @@ void make_distance_test(Lesson& lesson) {
     give(lesson, "apart", draw_test(scene));
     give_squares(lesson, scene);
     give_overlap(lesson, make_scene(1.56, 0.9));
+    give_many(lesson);
     give_touching(lesson);
     give_rounding(lesson);
     give(lesson, play(scene));

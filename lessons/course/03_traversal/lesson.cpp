@@ -132,6 +132,42 @@ void give_levels(Lesson& lesson, const Scene& scene) {
     give(lesson, "star children", children(scene.star));
 }
 
+/// The circles of level 1 before they are tested, with a number beside each: which of them meet one
+/// of the other body?
+void give_level_1_untested(Lesson& lesson, const Scene& scene) {
+    viz::Panel panel;
+    Picks picks;
+    std::vector<lod::Sphere<2>> circles;
+    const std::array<const viz::Actor<2>*, 2> actors{&scene.crescent, &scene.star};
+    for (std::size_t body = 0; body < actors.size(); ++body)
+        add_body(panel, *actors[body], static_cast<int>(body));
+    const viz::TestedNodes tested =
+        viz::tested_nodes(scene.crescent.body, scene.star.body, scene.levels, 1);
+    for (std::size_t body = 0; body < actors.size(); ++body) {
+        const int number = static_cast<int>(body);
+        const std::vector<int>& nodes = body == 0 ? tested.a : tested.b;
+        viz::add_nodes<2>(panel, actors[body]->body, nodes, viz::Role::level_node, number);
+        for (const int node : nodes) {
+            const lod::Sphere<2> circle = viz::carried_node(actors[body]->body, node);
+            circles.push_back(circle);
+            const std::string name = shown_count(picks.size() + 1);
+            const bool meets = std::any_of(
+                scene.levels[1].pairs.begin(), scene.levels[1].pairs.end(),
+                [&](const NodePair& pair) { return (body == 0 ? pair.a : pair.b) == node; });
+            const bool meets_own = std::any_of(nodes.begin(), nodes.end(), [&](int other) {
+                return other != node &&
+                       lod::overlap(circle, viz::carried_node(actors[body]->body, other));
+            });
+            picks.push_back(
+                {name, at(circle.centre), circle.radius, meets, meets_own ? "own" : ""});
+            add_label(panel, viz::Role::body, circle.centre, name, number);
+        }
+    }
+    panel.view = viz::grown(box_round(circles), 0.06);
+    give(lesson, "level 1 untested", std::move(panel));
+    give(lesson, "circles of level 1", std::move(picks));
+}
+
 /// All levels of a traversal side by side.
 viz::Figure montage(const Scene& scene) {
     viz::Figure figure = viz::traversal(scene.crescent, scene.star, scene.levels);
@@ -252,6 +288,7 @@ void make_traversal(Lesson& lesson) {
     const Scene miss = near_miss();
     const Scene hit = collision();
     give_levels(lesson, miss);
+    give_level_1_untested(lesson, miss);
     give_cost(lesson, miss);
     give_collision(lesson, hit);
     give_interruption(lesson, hit);

@@ -5,6 +5,7 @@
 
 #include "lessons/embed/lines.hpp"
 #include "lessons/engine/plain.hpp"
+#include "lessons/engine/sketch.hpp"
 #include "lessons/engine/terminal/viewer.hpp"
 
 namespace lessons {
@@ -54,7 +55,15 @@ void AnswerMode::ask(int step) {
     say("**Question.** " + question.prose);
     for (std::size_t i = 0; i < question.choices.size(); ++i)
         say(letter_of(i) + ") " + question.choices[i].text, "  ");
-    output_ << (question.choices.empty() ? "Type a number" : "Type a letter")
+    for (const Pick& pick : question.picks)
+        say(pick.name + ": at (" + shown(pick.centre.x, 2) + ", " + shown(pick.centre.y, 2) +
+                "), radius " + shown(pick.radius, 2) + " m",
+            "  ");
+    output_ << (!question.picks.empty()
+                    ? "Type the names of all that you pick, as in " + question.picks[0].name + " " +
+                          question.picks[1].name + ","
+                : question.choices.empty() ? "Type a number"
+                                           : "Type a letter")
             << " and Enter; :p passes, :h helps.\n";
 }
 

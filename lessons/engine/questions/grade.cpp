@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <sstream>
 
 #include "lessons/embed/lines.hpp"
 #include "lessons/engine/questions/question.hpp"
@@ -86,11 +88,63 @@ Graded grade_number(const Question& question, const std::string& answer) {
     return {Grade::wrong, not_that};
 }
 
+/// Which picks an answer names; nothing where it names what is none of them.
+
+std::optional<std::vector<bool>> picked_in(const Picks& picks, const std::string& answer) {
+    std::vector<bool> picked(picks.size());
+    std::string spaced = answer;
+    for (char& c : spaced)
+        if (c == ',' || c == ';') c = ' ';
+    std::istringstream words(spaced);
+    for (std::string word; words >> word;) {
+        if (word == "and") continue;
+        const auto found = std::find_if(picks.begin(), picks.end(),
+                                        [&](const Pick& pick) { return lower(pick.name) == word; });
+        if (found == picks.end()) return {};
+        picked[static_cast<std::size_t>(found - picks.begin())] = true;
+    }
+    return picked;
+}
+
+Graded grade_picks(const Question& question, const std::string& answer) {
+    const auto picked = picked_in(question.picks, lower(answer));
+    if (!picked)
+        return {Grade::unclear,
+                "Answer with names from the picture: " + names_of(question.picks, false) + "."};
+    bool all_right = true;
+    bool has_wrong = false;
+    for (std::size_t i = 0; i < question.picks.size(); ++i) {
+        all_right = all_right && (*picked)[i] == question.picks[i].right;
+        has_wrong = has_wrong || ((*picked)[i] && !question.picks[i].right);
+    }
+    if (all_right) return {Grade::right, question.reply.empty() ? "Right." : question.reply};
+    const auto is_made = [&](const Mistake& mistake) {
+        if (mistake.kind == Mistake::Kind::missing) return !has_wrong;
+        if (mistake.kind == Mistake::Kind::more) return has_wrong;
+        for (std::size_t i = 0; i < question.picks.size(); ++i)
+            if ((*picked)[i] && !question.picks[i].right &&
+                question.picks[i].kind == mistake.picked)
+                return true;
+        return false;
+    };
+    for (const Mistake& mistake : question.mistakes)
+        if (is_made(mistake)) return {Grade::foreseen, mistake.reply};
+    return {Grade::wrong, not_that};
+}
+
 }  // namespace
+
+std::string names_of(const Picks& picks, bool only_right) {
+    std::string names;
+    for (const Pick& pick : picks)
+        if (pick.right || !only_right) names += (names.empty() ? "" : ", ") + pick.name;
+    return names;
+}
 
 Graded grade(const Question& question, std::string_view typed) {
     const std::string answer = trimmed(typed);
     if (answer.empty()) return {Grade::unclear, "Type an answer, or pass."};
+    if (!question.picks.empty()) return grade_picks(question, answer);
     return question.choices.empty() ? grade_number(question, answer)
                                     : grade_choice(question, answer);
 }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -99,7 +100,9 @@ class Maker {
         question_.name = script_.name;
         question_.prose = filler_.fill(script_.prose);
         for (const QuestionLine& line : script_.lines) take(line);
-        if (question_.choices.empty())
+        if (!question_.picks.empty())
+            check_picks();
+        else if (question_.choices.empty())
             check_number();
         else
             check_choices();
@@ -114,6 +117,7 @@ class Maker {
     void take(const QuestionLine& line) {
         if (line.key == "answer") take_answer(line.said);
         if (line.key == "within") within_ = line.said;
+        if (line.key == "pick") take_picks(line.said);
         if (line.key == "choice") take_choice(line.said);
         if (line.key == "mistake") take_mistake(line.said);
         if (line.key != "reply") return;
@@ -131,6 +135,13 @@ class Maker {
         question_.answer = filler_.number(tags[0].name, tags[0].format, said.line);
         question_.value = answer_->value;
         question_.unit = answer_->unit;
+        reply_to_ = &question_.reply;
+    }
+
+    void take_picks(const KeyText& said) {
+        if (!question_.picks.empty()) refuse(said.line, "has two answers");
+        question_.picks = filler_.use_picks(said.text, said.line);
+        question_.answer = names_of(question_.picks, true);
         reply_to_ = &question_.reply;
     }
 
@@ -158,11 +169,45 @@ class Maker {
             mistake.kind = Mistake::Kind::above;
         else if (said.text == "below")
             mistake.kind = Mistake::Kind::below;
+        else if (!question_.picks.empty())
+            take_picks_mistake(mistake, said.text);
         else
             mistake.value = Expression(said.text, said.line, filler_).value();
         question_.mistakes.push_back(mistake);
         mistake_lines_.push_back(said.line);
         reply_to_ = &question_.mistakes.back().reply;
+    }
+
+    static void take_picks_mistake(Mistake& mistake, const std::string& said) {
+        mistake.kind = said == "missing" ? Mistake::Kind::missing
+                       : said == "more"  ? Mistake::Kind::more
+                                         : Mistake::Kind::kind;
+        mistake.picked = said;
+    }
+
+    void check_picks() {
+        const auto is_right = [](const Pick& pick) { return pick.right; };
+        const Picks& picks = question_.picks;
+        if (answer_ || !question_.choices.empty()) refuse(script_.line, "has two answers");
+        if (std::none_of(picks.begin(), picks.end(), is_right) ||
+            std::all_of(picks.begin(), picks.end(), is_right))
+            refuse(script_.line,
+                   "has nothing to tell apart: all that may be picked is right, or none");
+        if (question_.mistakes.empty())
+            refuse(script_.line, "foresees no mistake; write mistake: missing, more or a kind");
+        for (std::size_t i = 0; i < question_.mistakes.size(); ++i) {
+            const Mistake& mistake = question_.mistakes[i];
+            const int line = mistake_lines_[i];
+            if (mistake.reply.empty())
+                refuse(line, "has a mistake without a reply; write it below");
+            if (mistake.kind == Mistake::Kind::above || mistake.kind == Mistake::Kind::below)
+                refuse(line, "is no number; write missing, more or a kind");
+            if (mistake.kind != Mistake::Kind::kind) continue;
+            if (std::none_of(picks.begin(), picks.end(), [&](const Pick& pick) {
+                    return !pick.right && pick.kind == mistake.picked;
+                }))
+                refuse(line, "has no wrong pick of the kind '" + mistake.picked + "'");
+        }
     }
 
     void check_choices() {

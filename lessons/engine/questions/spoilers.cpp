@@ -93,6 +93,8 @@ class Check {
         for (const QuestionLine& line : question.lines)
             if (line.key == "told in") told = &line;
         if (told) check_told(question, told->said);
+        for (const QuestionLine& line : question.lines)
+            if (line.key == "pick") check_picks(question, lesson_.picks.at(line.said.text));
         std::string seen;  // where the reader has found out already
         bool is_open = names.empty();
         for (const std::string& name : names) {
@@ -123,6 +125,21 @@ class Check {
         refuse_line(lesson_.script.where, told.line,
                     "question '" + question.name + "' is told in no later step '" + told.text +
                         "'; write the title of one");
+    }
+
+    /// Whether a picture draws a right one as a circle that meets another.
+    void check_picks(const QuestionScript& question, const Picks& picks) const {
+        const viz::Figure& figure = lesson_.figures.at(lesson_.script.steps[step_].figure);
+        if (figure.panels.empty()) return;
+        for (const Pick& pick : picks)
+            for (const viz::Mark& mark : figure.panels[0].marks) {
+                const auto* disc = std::get_if<viz::Disc>(&mark);
+                if (pick.right && disc && disc->centre == pick.centre &&
+                    (disc->style.role == viz::Role::meeting_node ||
+                     disc->style.role == viz::Role::true_collision))
+                    refuse(question, "is answered by its picture, which draws " + pick.name +
+                                         " as one that meets");
+            }
     }
 
     /// Where a number stands in this step or before: under its name, under another with the same
