@@ -125,7 +125,7 @@ const Row rows[] = {
     {"SHAPE", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg, svgz; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9")->required(); }},
     {"[SHAPE]", [](CLI::App& a, Options& o) { a.add_option("SHAPE", o.shape, "a file (svg, svgz; obj, ply, stl, off, 3ds, gltf, glb), text:R (font outlines), or a generator such as gear:9"); }},
     {"SCENE", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), the name of a scene that comes with lodlab, or a crowd, as in gas:1000")->required(); }},
-    {"[SCENE]", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), the name of a scene that comes with lodlab, or a crowd, as in gas:30"); }},
+    {"[SCENE]", [](CLI::App& a, Options& o) { a.add_option("SCENE", o.scene, "a scene file (toml), the name of a scene that comes with lodlab, a crowd, as in gas:30, or that of a lesson, as in lesson:traversal"); }},
     {"--playground", [](CLI::App& a, Options& o) { a.add_flag("--playground", o.playground, "no scene: a page on which shapes are drawn, or dropped as SVG, and collide"); }},
     {"FIGURE", [](CLI::App& a, Options& o) { a.add_option("N", o.number, "number of the figure in the paper")->check(range(0, most_pages))->required(); }},
     {"[LESSON]", [](CLI::App& a, Options& o) { a.add_option("LESSON", o.lesson, "number or name of the lesson; without it the lessons are listed"); }},

@@ -12,14 +12,19 @@
 #include "lodlab/live/take.hpp"
 
 namespace cli {
-
 namespace {
 
 constexpr std::string_view of_a_lesson = "lesson:";
 
+Formats html() {
+    return {.exports = {".html"}, .still = false};
+}
+
 /// The live part of a lesson, as a page of its own.
-std::string lesson_page(const Options& options) {
+std::string lesson_page(Options options) {
     const std::string name = options.scene.substr(of_a_lesson.size());
+    options.scene.clear();  // it is no file
+    check_outputs(options, html());
     const lessons::Lesson lesson = lessons::run(named_lesson(name).number);
     for (const std::string& given : options.given)
         if (given != "SCENE" && given != "--out")
@@ -32,11 +37,11 @@ std::string lesson_page(const Options& options) {
 }  // namespace
 
 void run_page(const Options& options) {
-    check_outputs(options, {.exports = {".html"}, .still = false});
-    if (options.playground)
-        return lod::write_text_file(options.out.back(), live::playground_text());
     if (options.scene.starts_with(of_a_lesson))
         return lod::write_text_file(options.out.back(), lesson_page(options));
+    check_outputs(options, html());
+    if (options.playground)
+        return lod::write_text_file(options.out.back(), live::playground_text());
     if (options.scene.empty())
         throw lod::Error(
             lod::ErrorKind::usage,

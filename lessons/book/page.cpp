@@ -108,19 +108,24 @@ std::string live_html(const Lesson& lesson, const std::string& scene) {
 }  // namespace
 
 std::optional<NarrowPicture> narrow_picture(const viz::Figure& figure) {
-    constexpr double narrow_aspect = 1.28;   // two rows of it are whole beside a step's words
+    constexpr double narrow_aspect = 1.28;   // as wide as a phone it is whole beside a step's words
     constexpr double strip_panel = 300;      // units across a panel
     constexpr double strip_aspect = 0.88;    // of it with its title
     constexpr double widest = 5;             // of figures
     constexpr std::size_t most_in_grid = 4;  // panels
-    if (figure.columns < 3) return {};
-    NarrowPicture narrow{figure, of_few_columns, figure.panels.size() > most_in_grid};
+    const bool has_many_columns = figure.columns > 2;
+    if (!has_many_columns && figure.aspect >= narrow_aspect) return {};
+    NarrowPicture narrow{figure, of_few_columns,
+                         has_many_columns && figure.panels.size() > most_in_grid};
     viz::Figure& drawn = narrow.figure;
+    drawn.aspect = narrow_aspect;
+    if (!has_many_columns) return narrow;
     const auto panels = static_cast<double>(drawn.panels.size());
     drawn.columns = narrow.is_strip ? static_cast<int>(drawn.panels.size()) : 2;
-    drawn.aspect = narrow.is_strip ? std::min(panels * strip_aspect, widest)
-                                   : std::min(figure.aspect, narrow_aspect);
-    if (narrow.is_strip) narrow.width = panels * strip_panel;
+    if (narrow.is_strip) {
+        drawn.aspect = std::min(panels * strip_aspect, widest);
+        narrow.width = panels * strip_panel;
+    }
     drawn.column_weights.clear();
     for (viz::Panel& panel : drawn.panels) panel.cell.reset();
     return narrow;

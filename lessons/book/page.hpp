@@ -11,7 +11,7 @@ namespace lessons {
 /// The path of a figure's picture, relative to the page; of its narrow one where it has one.
 using PicturePath = std::function<std::string(const std::string& figure, bool narrow)>;
 
-/// A figure of many columns as a window has it that is as narrow as a phone's.
+/// A figure of many columns, or a tall one, as a window has it that is as narrow as a phone's.
 struct NarrowPicture {
     viz::Figure figure;
     double width = 0;       ///< in units
@@ -19,7 +19,7 @@ struct NarrowPicture {
 };
 
 /// Up to four panels in two columns, more of them as a strip, so that words and shapes can be seen.
-/// Nothing for a figure of few columns.
+/// Nothing for a figure that can be read there as it is.
 [[nodiscard]] std::optional<NarrowPicture> narrow_picture(const viz::Figure& figure);
 
 /// Units across a figure's picture: few, so that its words can be read on a phone.

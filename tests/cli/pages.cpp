@@ -50,3 +50,21 @@ TEST_CASE("a page that cannot be made is refused in one line") {
         check_failure(lodlab({"page", "gas:101", "--out", out}), 5, "at most 100 bodies");
     CHECK(scratch.files().empty());
 }
+
+TEST_CASE("the scene that a lesson's reader plays with becomes a page of its own") {
+    const Scratch scratch;
+    const std::string out = scratch / "p.html";
+    check_failure(lodlab({"page", "lesson:no_such_lesson", "--out", out}), 2,
+                  "no lesson no_such_lesson");
+    check_failure(lodlab({"page", "lesson:inertia", "--out", out}), 2, "no scene to play with");
+    check_failure(lodlab({"page", "lesson:circle_tree", "--level", "2", "--out", out}), 2,
+                  "--level does not go with the page of a lesson");
+    check_failure(lodlab({"page", "lesson:circle_tree", "--out", scratch / "p.png"}), 2,
+                  "lodlab does this as html");
+    CHECK(scratch.files().empty());
+    if (!has_module()) return;
+    for (const char* name : {"lesson:circle_tree", "lesson:2", "lesson:tree"}) {
+        CHECK(lodlab({"page", name, "--out", out}).code == 0);
+        CHECK(contains(lodtest::bytes_of(out), "\"name\":\"circle_tree\""));
+    }
+}

@@ -8,8 +8,9 @@ import re
 import sys
 
 MOST_OF_PAGE = 1_500_000  # bytes, without its video
-MOST_OF_BOOK = 12_000_000  # bytes, with its videos
-MOST_WITHOUT_VIDEOS = 4_500_000
+MOST_AT_FIRST = 600_000  # before its reader scrolls or steps
+MOST_OF_BOOK = 15_000_000  # bytes, with its videos
+MOST_WITHOUT_VIDEOS = 7_500_000  # of these a million is the module of the live parts, once for all lessons
 VIDEOS = (".mp4", ".webm")
 
 
@@ -25,6 +26,13 @@ def files_of(page):
     return {page.resolve()} | {file for file in files if file.suffix != ".html"}
 
 
+def first_files_of(page):
+    """What a browser fetches before: no picture but the first ones, and none of the live part."""
+    pictures = [file for file in re.findall(r'<img src="([^"]+)"', page.read_text())][:3]
+    rest = re.findall(r'(?:<script src|<link rel="stylesheet" href)="([^"]+)"', page.read_text())
+    return {page} | {page.parent / link for link in pictures + rest}
+
+
 def main(book):
     faults = []
     pages = sorted(book.glob("**/index.html"))
@@ -36,6 +44,9 @@ def main(book):
         print(f"{page.relative_to(book)}: {weight} bytes")
         if weight > MOST_OF_PAGE:
             faults.append(f"{page.relative_to(book)}: {weight} bytes, at most {MOST_OF_PAGE}; heaviest: {listed(files)}")
+        at_first = sum(file.stat().st_size for file in first_files_of(page))
+        if at_first > MOST_AT_FIRST:
+            faults.append(f"{page.relative_to(book)}: {at_first} bytes at first, at most {MOST_AT_FIRST}")
     everything = [file for file in book.rglob("*") if file.is_file()]
     weight = sum(file.stat().st_size for file in everything)
     print(f"the whole: {weight} bytes")

@@ -14,6 +14,7 @@ from browser_test import SKIPPED, Browser
 
 WINDOWS = ((1280, 800), (390, 844))
 SMALLEST_OF_PICTURE = 15  # units of a picture: its smallest words
+SMALLEST_ON_SCREEN = 11  # pixels
 
 # Everything of the step that is shown stands below the controls and above the window's foot; on a wide window words
 # and picture stand side by side, on a narrow one the picture takes at most 55 % of the height.
@@ -95,6 +96,8 @@ def faults_of(found, width):
         faults.append("begins behind the controls")
     if found["wide"] > 0:
         faults.append("is wider than the window")
+    if found["unit"] * SMALLEST_OF_PICTURE < SMALLEST_ON_SCREEN:
+        faults.append(f"has words of {found['unit'] * SMALLEST_OF_PICTURE:.1f} px in its picture")
     if width >= 1000 and not found["beside"]:
         faults.append("words and picture are not side by side")
     if width < 1000 and found["picture"] > 0.55:
