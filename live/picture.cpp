@@ -160,6 +160,11 @@ std::string name_of_body(const Stage& stage, std::int32_t body) {
     return viz::literal_text(stage.scene().actors[lod::at(body)].visual.name);
 }
 
+std::string capitalised(std::string text) {
+    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
+}
+
 /// Whether the shapes themselves meet, where that was asked.
 std::string truth_of(const NearPair& near) {
     if (near.gap < 0) return "";
@@ -167,19 +172,23 @@ std::string truth_of(const NearPair& near) {
                         : "; the shapes do overlap";
 }
 
-/// Of a single pair that is asked about by one circle a body.
-std::string circles_finding(const Stage& stage, const NearPair& near) {
-    if (near.record.verdict != lod::Verdict::apart)
-        return "the circles meet" + truth_of(near) + ".";
-    return "the circles are apart, and so are " + name_of_body(stage, near.record.bodies.a) +
-           " and " + name_of_body(stage, near.record.bodies.b) + ".";
+/// Whether a scene asks about one circle a body, and no more.
+bool asks_circles_alone(const Stage& stage) {
+    return stage.scene().told == Told::verdicts && stage.scene().settings.deepest_level == 0;
+}
+
+std::string circles_apart(const Stage& stage, std::int32_t a, std::int32_t b) {
+    return "the circles are apart, and so are " + name_of_body(stage, a) + " and " +
+           name_of_body(stage, b) + ".";
 }
 
 /// Of a single pair: what its last level says.
 std::string finding_of(const Stage& stage, const NearPair& near) {
     const lod::PairRecord& pair = near.record;
-    const bool answers = stage.scene().told == Told::answers;
-    if (!answers && stage.scene().settings.deepest_level == 0) return circles_finding(stage, near);
+    if (asks_circles_alone(stage))
+        return pair.verdict == lod::Verdict::apart
+                   ? circles_apart(stage, pair.bodies.a, pair.bodies.b)
+                   : "the circles meet" + truth_of(near) + ".";
     const std::string who =
         name_of_body(stage, pair.bodies.a) + " and " + name_of_body(stage, pair.bodies.b);
     const std::string tests = viz::count_text(static_cast<long long>(pair.tests), "node test");
@@ -188,22 +197,20 @@ std::string finding_of(const Stage& stage, const NearPair& near) {
                tests + ".";
     std::string text = who + ": " + viz::verdict_words(pair.verdict) + " at level " +
                        std::to_string(pair.level) + " after " + tests;
-    if (answers) text += ", " + viz::count_text(pair.contact_count, "contact");
+    if (stage.scene().told == Told::answers)
+        text += ", " + viz::count_text(pair.contact_count, "contact");
     return text + truth_of(near) + ".";
 }
 
 /// Of a scene of which no pair is near.
 std::string nothing_near(const Stage& stage) {
+    if (stage.bodies().size() == 2 && asks_circles_alone(stage))
+        return capitalised(circles_apart(stage, 0, 1));  // as even their boxes are
     if (stage.bodies().size() > 1) return "No two bodies are near: nothing is tested.";
     const lod::SphereTree<2>& tree = *stage.bodies()[0].tree;
     const int level = std::min(stage.scene().settings.deepest_level, tree.levels() - 1);
     return "Level " + std::to_string(level) + ": " +
            viz::count_text(static_cast<long long>(tree.level_nodes(level).size()), "circle") + ".";
-}
-
-std::string capitalised(std::string text) {
-    if (text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
-    return text;
 }
 
 /// Of all pairs, in a sentence.

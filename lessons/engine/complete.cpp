@@ -133,7 +133,7 @@ void complete(Lesson& lesson) {
         lesson.steps.push_back(filled_step(step, filler));
     for (const auto& [name, words] : lesson.script.words) caption(lesson, name, words, filler);
     if (!lesson.animation.shots.empty()) lesson.animation.title = video_words(lesson, "title");
-    if (lesson.live) complete_live(lesson, filler);
+    if (lesson.script.live_line > 0) complete_live(lesson, filler);
     check_video_words(lesson);
     check_questions(lesson);
     filler.check_all_used();

@@ -10,6 +10,7 @@
 #include "lessons/engine/lessons.hpp"
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/core/base/stop.hpp"
+#include "lodlab/live/page/page.hpp"
 #include "tests/catch.hpp"
 #include "tests/lessons/scratch.hpp"
 
@@ -68,6 +69,49 @@ TEST_CASE("every picture of a page has an alt text, both colour schemes and a fi
     CHECK(html.find("<math") != std::string::npos);
     CHECK(html.find("{{") == std::string::npos);
     CHECK(html.find("$$") == std::string::npos);
+}
+
+TEST_CASE("a live part is hidden until a script shows it, its files are the book's and a scene",
+          "[lessons]") {
+    const Scratch folder;
+    const fs::path book = folder.path() / "book";
+    write_book(book, lesson_one());
+    const std::string html = content(book / "distance_test" / "index.html");
+    const auto parts = matches(html, "<section class=\"live\"[^>]*>");
+    CHECK(fs::exists(book / "lodlab.js") == live::has_module());
+    if (!live::has_module()) {
+        CHECK(parts.empty());
+        CHECK(html.find("live_part") == std::string::npos);
+        CHECK_FALSE(fs::exists(book / "live.js"));
+        return;
+    }
+    REQUIRE(parts.size() == 1);
+    CHECK(parts[0].ends_with(" hidden>"));
+    CHECK(html.find("lodlab.js") == std::string::npos);  // is not read before its reader is there
+    const std::string scene = content(book / "distance_test" / "scene.js");
+    CHECK(scene.starts_with("var lodlabScene = \"{"));
+    CHECK(content(book / "live.js").find("lodlabLive") != std::string::npos);
+}
+
+TEST_CASE("a figure of many columns, or a tall one, has a second layout for narrow windows",
+          "[lessons]") {
+    viz::Figure figure;
+    figure.panels.resize(3);
+    figure.columns = 2;
+    CHECK_FALSE(narrow_picture(figure));
+    figure.columns = 3;
+    REQUIRE(narrow_picture(figure));
+    CHECK(narrow_picture(figure)->figure.columns == 2);
+    CHECK_FALSE(narrow_picture(figure)->is_strip);
+    figure.panels.resize(6);
+    REQUIRE(narrow_picture(figure));
+    CHECK(narrow_picture(figure)->is_strip);
+    CHECK(narrow_picture(figure)->figure.columns == 6);
+    figure.columns = 1;
+    figure.aspect = 1;
+    REQUIRE(narrow_picture(figure));
+    CHECK(narrow_picture(figure)->figure.columns == 1);
+    CHECK(narrow_picture(figure)->figure.aspect > 1.2);
 }
 
 TEST_CASE("no file of the book names a resource on a network", "[lessons]") {

@@ -24,6 +24,7 @@ TEST_CASE("a live scene is written and read again to the same bits") {
     live::Scene scene = sample::live_scene();
     scene.budget = 120;
     scene.pair_cost = 2.5;
+    scene.told = live::Told::verdicts;
     scene.settings.viewer.fixation = {0.1, -0.2, 0};
     scene.actors.push_back({{"floor", {{{-9, -9}, {9, -9}, {9, 0}, {-9, 0}}}}, {}});
     scene.actors.back().body.tree =
@@ -34,6 +35,7 @@ TEST_CASE("a live scene is written and read again to the same bits") {
     CHECK(live::scene_text(again) == text);
     CHECK(again.budget == scene.budget);
     CHECK(again.pair_cost == scene.pair_cost);
+    CHECK(again.told == scene.told);
     CHECK(again.settings.viewer.fixation == scene.settings.viewer.fixation);
     REQUIRE(again.actors.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) {

@@ -123,6 +123,61 @@ TEST_CASE("the gap that a stage tells is that of the true shapes") {
     CHECK(seen);
 }
 
+TEST_CASE("equation (1) is told of the deepest contact, from the bodies as they stand") {
+    live::Stage stage = meeting();
+    stage.set_restitution(0.5);
+    const Json contact = report_of(stage)["contact"];
+    REQUIRE_FALSE(contact.is_null());
+    const lod::Vector<2> normal(contact["normal"][0], contact["normal"][1]);
+    const lod::Contact<2>* deepest = nullptr;
+    for (const lod::Impact<2>& impact : stage.record().impacts)
+        if (!deepest || impact.contact.depth > deepest->depth) deepest = &impact.contact;
+    CHECK(normal == deepest->normal);
+    const auto bodies = stage.bodies();
+    const auto speed_at = [&](const lod::Body<2>& body) {
+        const lod::Vector<2> r = deepest->point - body.position;
+        return body.velocity + body.spin[0] * lod::Vector<2>(-r.y(), r.x());
+    };
+    const double closing = (speed_at(bodies[1]) - speed_at(bodies[0])).dot(normal);
+    CHECK(contact["closing"].get<double>() == Approx(closing));
+    CHECK(contact["e"].get<double>() == 0.5);
+    REQUIRE(closing < 0);
+    CHECK(contact["j"].get<double>() == Approx(-1.5 * closing / contact["K"].get<double>()));
+    stage.place(0, {-50, 0}, 0);
+    CHECK(report_of(stage)["contact"].is_null());
+}
+
+TEST_CASE("verdicts alone are told of circles and proofs, and no contact is drawn") {
+    live::Scene scene = sample::live_scene(0.7);
+    scene.told = live::Told::verdicts;
+    live::Stage stage(scene);
+    CHECK(count_role(live::picture(live::Stage(sample::live_scene(0.7))), viz::Role::contact) > 0);
+    CHECK(count_role(live::picture(stage), viz::Role::contact) == 0);
+    CHECK(count_role(live::picture(stage), viz::Role::velocity) == 0);
+    CHECK(live::picture(stage).caption.find("contact") == std::string::npos);
+    stage.set_level(0);
+    CHECK(live::picture(stage).caption == "The circles meet; the shapes do overlap.");
+    stage.place(0, {-1.3, 0.2}, 0.3);
+    CHECK(live::picture(stage).caption.starts_with("The circles are apart, and so are "));
+    stage.place(0, {-50, 0}, 0);
+    CHECK(count_role(live::picture(stage), viz::Role::node) == 2);  // the roots, untested
+    CHECK(live::picture(stage).caption.starts_with("The circles are apart, and so are "));
+}
+
+TEST_CASE("a single body shows the circles of its level") {
+    live::Scene scene = sample::live_scene();
+    scene.actors.pop_back();
+    live::Stage stage(scene);
+    for (int level = 0; level <= 3; ++level) {
+        stage.set_level(level);
+        const auto circles = static_cast<int>(stage.bodies()[0].tree->level_nodes(level).size());
+        CHECK(count_role(live::picture(stage), viz::Role::level_node) == circles);
+        CHECK(live::picture(stage).caption == "Level " + std::to_string(level) + ": " +
+                                                  std::to_string(circles) +
+                                                  (circles == 1 ? " circle." : " circles."));
+    }
+}
+
 TEST_CASE("a hit is shown for a third of a second") {
     live::Stage stage(sample::live_scene());
     int frames = 0;
