@@ -82,7 +82,7 @@ Json contact_json(const Stage& stage) {
             {"normal", {deepest->contact.normal.x(), deepest->contact.normal.y()}},
             {"closing", lod::closing_velocity<2>(a, b, deepest->contact)},
             {"K", lod::inverse_effective_mass<2>(a, b, deepest->contact)},
-            {"e", lod::pair_restitution<2>(a, b)},
+            {"e", lod::pair_restitution(a, b)},
             {"j", lod::single_impulse<2>(a, b, deepest->contact)}};
 }
 
