@@ -24,6 +24,16 @@ std::size_t moving_bodies(const Stage& stage) {
                       [](const lod::Body<2>& body) { return !body.tree->is_half_space(); }));
 }
 
+/// Whether a scene asks about one circle a body, and no more.
+bool asks_circles_alone(const Stage& stage) {
+    return stage.scene().told == Told::verdicts && stage.scene().settings.deepest_level == 0;
+}
+
+/// Of nodes that were tested: their body's ink where they are all that there is to see.
+viz::Role tested_role(const Stage& stage) {
+    return asks_circles_alone(stage) ? viz::Role::level_node : viz::Role::node;
+}
+
 /// A line for each pair of nodes that meet, from centre to centre.
 void add_lines(viz::Panel& panel, const lod::Body<2>& a, const lod::Body<2>& b,
                std::span<const lod::NodePair> pairs) {
@@ -44,8 +54,8 @@ void add_pair(viz::Panel& panel, const Stage& stage, const NearPair& near, bool 
     if (tested_too) {
         const viz::TestedNodes tested = viz::tested_nodes<2>(
             a.body, b.body, near.fronts, static_cast<int>(near.fronts.size()) - 1);
-        viz::add_nodes<2>(panel, a.body, tested.a, viz::Role::node, a.number);
-        viz::add_nodes<2>(panel, b.body, tested.b, viz::Role::node, b.number);
+        viz::add_nodes<2>(panel, a.body, tested.a, tested_role(stage), a.number);
+        viz::add_nodes<2>(panel, b.body, tested.b, tested_role(stage), b.number);
     }
     const auto meeting = stage.record().nodes_of(near.record.nodes);
     viz::add_meeting_nodes<2>(panel, a, b, meeting);
@@ -134,7 +144,7 @@ void add_untested(viz::Panel& panel, const Stage& stage) {
     if (stage.bodies().size() == 1) return add_level(panel, stage, 0);
     for (std::size_t i = 0; i < stage.bodies().size(); ++i)
         if (!stage.bodies()[i].tree->is_half_space())
-            viz::add_nodes<2>(panel, stage.bodies()[i], std::vector<int>{0}, viz::Role::node,
+            viz::add_nodes<2>(panel, stage.bodies()[i], std::vector<int>{0}, tested_role(stage),
                               static_cast<int>(i));
 }
 
@@ -170,11 +180,6 @@ std::string truth_of(const NearPair& near) {
     if (near.gap < 0) return "";
     return near.gap > 0 ? "; the shapes are still " + viz::length_text(near.gap) + " apart"
                         : "; the shapes do overlap";
-}
-
-/// Whether a scene asks about one circle a body, and no more.
-bool asks_circles_alone(const Stage& stage) {
-    return stage.scene().told == Told::verdicts && stage.scene().settings.deepest_level == 0;
 }
 
 std::string circles_apart(const Stage& stage, std::int32_t a, std::int32_t b) {

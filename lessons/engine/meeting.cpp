@@ -51,6 +51,12 @@ Meeting L_and_U() {
     return meeting;
 }
 
+viz::Actor<2> earlier(viz::Actor<2> actor, double seconds) {
+    actor.body.position -= seconds * actor.body.velocity;
+    actor.body.orientation -= seconds * actor.body.spin[0];
+    return actor;
+}
+
 lod::FrameSettings down_to(int level, lod::ContactModel model, double time_step) {
     lod::FrameSettings settings;
     settings.time_step = time_step;

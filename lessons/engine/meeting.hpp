@@ -35,6 +35,9 @@ struct Meeting {
 /// lessons.
 [[nodiscard]] Meeting L_and_U();
 
+/// A body so long ago [s], as it moves freely.
+[[nodiscard]] viz::Actor<2> earlier(viz::Actor<2> actor, double seconds);
+
 /// Frames that stop at a level.
 [[nodiscard]] lod::FrameSettings down_to(int level, lod::ContactModel model, double time_step);
 /// Frames that ask the true shapes and go back to their time of impact.

@@ -160,7 +160,7 @@ TEST_CASE("verdicts alone are told of circles and proofs, and no contact is draw
     stage.place(0, {-1.3, 0.2}, 0.3);
     CHECK(live::picture(stage).caption.starts_with("The circles are apart, and so are "));
     stage.place(0, {-50, 0}, 0);
-    CHECK(count_role(live::picture(stage), viz::Role::node) == 2);  // the roots, untested
+    CHECK(count_role(live::picture(stage), viz::Role::level_node) == 2);  // the roots, untested
     CHECK(live::picture(stage).caption.starts_with("The circles are apart, and so are "));
 }
 

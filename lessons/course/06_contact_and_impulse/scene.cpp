@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lessons/engine/meeting.hpp"
 #include "lodlab/core/tree/traversal.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/lod2d/shape/overlap.hpp"
@@ -51,47 +52,25 @@ Scene make_scene() {
     return scene;
 }
 
-namespace {
-
-/// The bodies some time before they touch.
-std::vector<Body<2>> on_their_way(const Scene& start) {
-    constexpr double back = 0.9;  // [s]
-    std::vector<Body<2>> bodies{start.gear.body, start.star.body};
-    for (Body<2>& body : bodies) {
-        body.position -= back * body.velocity;
-        body.orientation -= back * body.spin[0];
-    }
-    return bodies;
-}
-
-lod::FrameSettings settings_of(const Scene& start) {
-    lod::FrameSettings settings;
-    settings.time_step = 1.0 / 120;
-    settings.deepest_level = start.level;
-    return settings;
-}
-
-}  // namespace
+constexpr double time_step = 1.0 / 120;  // [s]
+constexpr double before = 0.9;           // the contact [s]
 
 live::Scene play(const Scene& start) {
-    const std::vector<Body<2>> bodies = on_their_way(start);
-    live::Scene scene =
-        to_play_with({{start.gear.visual, bodies[0]}, {start.star.visual, bodies[1]}},
-                     viz::grown(start.view, 0.25));
-    scene.settings = settings_of(start);
-    scene.settings.contact_model = lod::ContactModel::centre_line;
+    live::Scene scene = to_play_with({earlier(start.gear, before), earlier(start.star, before)},
+                                     viz::grown(start.view, 0.25));
+    scene.settings = down_to(start.level, lod::ContactModel::centre_line, time_step);
     return scene;
 }
 
 void animate(Lesson& lesson, const Scene& start) {
     constexpr int frames = 264;
-    const lod::FrameSettings settings = settings_of(start);
+    const auto settings = down_to(start.level, lod::ContactModel::hull, time_step);
     lod::FrameStorage<2> storage;
-    std::vector<Body<2>> bodies = on_their_way(start);
+    std::vector<Body<2>> bodies{earlier(start.gear, before).body, earlier(start.star, before).body};
     viz::Run<2> run;
     run.name = video_words(lesson, "run");
     run.visuals = {start.gear.visual, start.star.visual};
-    run.time_step = settings.time_step;
+    run.time_step = time_step;
     for (int i = 0; i < frames; ++i) {
         const std::vector<Body<2>> now = bodies;
         lod::Budget budget = lod::Budget::unlimited();
