@@ -44,7 +44,7 @@ class TouchedBodies {
         }
         each_part(executor, list_.size(), bodies_of_a_part, [&](const Part& part) {
             for (std::size_t i = part.begin; i < part.end; ++i) {
-                prefetch(bodies[at(list_[std::min(i + ahead, part.end - 1)].body)]);
+                prefetch(bodies[at(list_[(std::min)(i + ahead, part.end - 1)].body)]);
                 take(bodies, list_[i]);
             }
         });

@@ -23,12 +23,6 @@ void write(const std::string& path, const std::string& text) {
     std::ofstream(path) << text;
 }
 
-void check_keys(const std::string& command, const Json& json) {
-    std::set<std::string> keys;
-    collect(json, "", keys);
-    CHECK(keys == documented(command));
-}
-
 /// The student's file fails: one line says so, and the output why.
 void check_fails(const Outcome& outcome, const std::string& verdict, const std::string& why) {
     INFO(outcome.out << outcome.err);

@@ -10,7 +10,7 @@
 namespace {
 
 /// The rows of the manual's table: a code and what it means, up to a colon or semicolon.
-std::map<std::string, std::string> documented() {
+std::map<std::string, std::string> documented_codes() {
     const std::string manual = lod::read_text_file(LODLAB_SOURCE_DIR "/cli/README.md", 1 << 20);
     std::istringstream lines(manual.substr(manual.find("| exit code |")));
     std::map<std::string, std::string> rows;
@@ -36,7 +36,7 @@ TEST_CASE("every kind of error has the exit code that the manual says, and no ot
         {code(limit_exceeded), "limit exceeded"},
         {code(not_installed), "something is not installed"}};
     CHECK(made.size() == 7);
-    CHECK(made == documented());
+    CHECK(made == documented_codes());
     CHECK(std::pair{cli::exit_code(usage), cli::exit_code(not_installed)} == std::pair{2, 6});
     CHECK(cli::signal_code(2) == 130);
 }

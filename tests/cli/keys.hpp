@@ -43,3 +43,10 @@ inline std::set<std::string> documented(const std::string& command) {
     }
     return keys;
 }
+
+/// Its keys are those that the manual lists.
+inline void check_keys(const std::string& command, const Json& json) {
+    std::set<std::string> keys;
+    collect(json, "", keys);
+    CHECK(keys == documented(command));
+}

@@ -3,16 +3,6 @@
 #include "tests/catch.hpp"
 #include "tests/cli/keys.hpp"
 
-namespace {
-
-void check_keys(const std::string& command, const Json& json) {
-    std::set<std::string> keys;
-    collect(json, "", keys);
-    CHECK(keys == documented(command));
-}
-
-}  // namespace
-
 TEST_CASE("the results have exactly the documented keys") {
     check_keys("tree", result({"tree", "L", "--depth", "2", "--json"}));
     check_keys("collide", result({"collide", "offset_boxes", "--level", "2", "--json"}));

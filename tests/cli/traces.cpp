@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A ball that meets a wall, another that is too fast to be seen at it, all with true shapes.
-const char* const scene = R"(
+const char* const traced_scene = R"(
 duration = 0.6
 time_step = 0.01
 finest = "exact"
@@ -58,7 +58,7 @@ void check_refused(const Outcome& outcome, int code, const std::string& words) {
 
 TEST_CASE("the moments of a trace have exactly the documented keys, and tell of every kind") {
     const Scratch scratch;
-    const std::string file = scratch.write("s.toml", scene);
+    const std::string file = scratch.write("s.toml", traced_scene);
     const std::string trace = scratch / "t.json";
     const Json run = result({"simulate", file, "--trace", trace, "--json"});
     CHECK(run["swept_contacts"] > 0);
