@@ -1,7 +1,7 @@
 // Build tool: writes exercises as C++: their words, and the reference solution with every mistake
 // and every two of them in it, each in a namespace of its own.
-//     lodlab_embed_exercises OUTPUT ROOT NAME...
-// An exercise is ROOT/lessons/exercises/tasks/NAME.md, and the function make_NAME of NAME.cpp
+//     lodlab_embed_exercises OUTPUT ROOT PART/NAME...
+// An exercise is ROOT/lessons/exercises/tasks/PART/NAME.md, and the function make_NAME of NAME.cpp
 // beside it.
 
 #include <set>
@@ -54,15 +54,15 @@ void embed(const std::vector<std::string>& arguments) {
     std::ostringstream declared;
     std::ostringstream listed;
     for (std::size_t i = 2; i < arguments.size(); ++i) {
-        const std::string& name = arguments[i];
+        const std::string& path = arguments[i];
         const std::string markdown =
-            lessons::read(root + "/lessons/exercises/tasks/" + name + ".md");
-        const Words words = exercises::read_words(name, markdown);
+            lessons::read(root + "/lessons/exercises/tasks/" + path + ".md");
+        const Words words = exercises::read_words(path, markdown);
         std::string table;
         spaces << variants_of(words, includes, table);
-        declared << "Task make_" << name << "();\n";
-        listed << "    {" << i - 1 << ", read_words(\"" << name << "\", " << literal(markdown)
-               << "), make_" << name << "(), {\n"
+        declared << "Task make_" << words.name << "();\n";
+        listed << "    {" << i - 1 << ", read_words(\"" << path << "\", " << literal(markdown)
+               << "), make_" << words.name << "(), {\n"
                << table << "    }},\n";
     }
     std::ostringstream file;

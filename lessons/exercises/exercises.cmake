@@ -1,13 +1,13 @@
-# Exercises in C++: an exercise is tasks/NAME.md, its words, reference solution and foreseen mistakes, and
-# tasks/NAME.cpp, its cases and the truth about them. This is their order, that of the lessons.
+# Exercises in C++: an exercise is tasks/PART/NAME.md, its words, reference solution and foreseen mistakes, and
+# tasks/PART/NAME.cpp, its cases and the truth about them. This is their order, that of the lessons.
 
 set(exercises
-  meet surely_apart
-  holding_radius owner
-  next_front answer_in_time
-  contact_point impulse net_impulses
-  meeting_radius shadows_meet
-  box_inertia spin_change)
+  detection/meet detection/surely_apart
+  detection/holding_radius detection/owner
+  detection/next_front detection/answer_in_time
+  response/contact_point response/impulse response/net_impulses
+  response/meeting_radius response/shadows_meet
+  response/box_inertia response/spin_change)
 
 add_executable(lodlab_embed_exercises
   exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp)

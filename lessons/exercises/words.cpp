@@ -10,9 +10,9 @@ namespace {
 /// The text of an exercise, section by section.
 class WordsReader {
   public:
-    WordsReader(const std::string& name, std::string_view markdown)
-        : where_("lessons/exercises/tasks/" + name + ".md"), lines_(lessons::lines_of(markdown)) {
-        words_.name = name;
+    WordsReader(const std::string& path, std::string_view markdown)
+        : where_("lessons/exercises/tasks/" + path + ".md"), lines_(lessons::lines_of(markdown)) {
+        words_.name = path.substr(path.rfind('/') + 1);
     }
 
     Words read() {
@@ -148,8 +148,8 @@ std::pair<std::size_t, std::size_t> declaration_in(const Words& words, const std
 
 }  // namespace
 
-Words read_words(const std::string& name, std::string_view markdown) {
-    return WordsReader(name, markdown).read();
+Words read_words(const std::string& path, std::string_view markdown) {
+    return WordsReader(path, markdown).read();
 }
 
 std::string code_with(const Words& words, const std::vector<int>& mistakes) {

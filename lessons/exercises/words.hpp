@@ -21,7 +21,7 @@ struct Mistake {
     std::string reply;
 };
 
-/// An exercise as it was written, tasks/NAME.md:
+/// An exercise as it was written, tasks/PART/NAME.md:
 ///
 ///     # TITLE
 ///     lesson: SLUG             of the lesson that it belongs to
@@ -53,8 +53,9 @@ struct Words {
     std::vector<Mistake> mistakes;
 };
 
-/// Throws lod::Error (input refused) with the line where the text is not as Words says.
-[[nodiscard]] Words read_words(const std::string& name, std::string_view markdown);
+/// `path` is PART/NAME. Throws lod::Error (input refused) with the line where the text is not as
+/// Words says.
+[[nodiscard]] Words read_words(const std::string& path, std::string_view markdown);
 
 /// The solution, with these mistakes in it.
 [[nodiscard]] std::string code_with(const Words& words, const std::vector<int>& mistakes);
