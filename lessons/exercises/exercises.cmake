@@ -5,6 +5,7 @@ set(exercises
   detection/meet detection/surely_apart
   detection/holding_radius detection/owner
   detection/next_front detection/answer_in_time
+  detection/verdict detection/latest_proof
   response/contact_point response/impulse response/net_impulses
   response/meeting_radius response/shadows_meet
   response/box_inertia response/spin_change)
