@@ -6,6 +6,7 @@ set(exercises
   detection/holding_radius detection/owner
   detection/next_front detection/answer_in_time
   detection/verdict detection/latest_proof
+  detection/cost_of_next_level detection/by_turns
   response/contact_point response/impulse response/net_impulses
   response/meeting_radius response/shadows_meet
   response/box_inertia response/spin_change)
