@@ -8,6 +8,7 @@ set(exercises
   detection/verdict detection/latest_proof
   detection/cost_of_next_level detection/by_turns
   response/contact_point response/impulse response/net_impulses
+  response/level_error response/good_from
   response/meeting_radius response/shadows_meet
   response/box_inertia response/spin_change)
 
