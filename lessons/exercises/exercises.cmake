@@ -10,7 +10,8 @@ set(exercises
   response/contact_point response/impulse response/net_impulses
   response/level_error response/good_from
   response/meeting_radius response/shadows_meet
-  response/box_inertia response/spin_change)
+  response/box_inertia response/spin_change
+  frames/best_gain frames/keep_reserve)
 
 add_executable(lodlab_embed_exercises
   exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp)
