@@ -11,7 +11,8 @@ set(exercises
   response/level_error response/good_from
   response/meeting_radius response/shadows_meet
   response/box_inertia response/spin_change
-  frames/best_gain frames/keep_reserve)
+  frames/best_gain frames/keep_reserve
+  frames/kinetic_energy frames/keeps_law)
 
 add_executable(lodlab_embed_exercises
   exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp)
