@@ -12,7 +12,8 @@ set(exercises
   response/meeting_radius response/shadows_meet
   response/box_inertia response/spin_change
   frames/best_gain frames/keep_reserve
-  frames/kinetic_energy frames/keeps_law)
+  frames/kinetic_energy frames/keeps_law
+  frames/impact_time frames/safe_step)
 
 add_executable(lodlab_embed_exercises
   exercises/embed_exercises.cpp exercises/told.cpp exercises/words.cpp)
