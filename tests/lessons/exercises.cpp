@@ -3,7 +3,6 @@
 #include <csignal>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "lessons/engine/lessons.hpp"
 #include "lessons/exercises/compiler_errors.hpp"
@@ -45,14 +44,26 @@ std::vector<std::string> mistakes_of(const Exercise& exercise, const exercises::
 TEST_CASE("every lesson has two exercises at least, and every exercise a lesson") {
     std::map<std::string, int> exercises;
     for (const Exercise& exercise : exercises::all()) ++exercises[exercise.words.lesson];
-    std::set<std::string> slugs;
-    for (const lessons::Entry& entry : lessons::list()) slugs.insert(entry.slug);
-    for (const auto& [lesson, count] : exercises) {
-        CAPTURE(lesson);
-        CHECK(slugs.count(lesson) == 1);
-        CHECK(count >= 2);
+    for (const lessons::Entry& entry : lessons::list()) {
+        CAPTURE(entry.slug);
+        CHECK(exercises[entry.slug] >= 2);
     }
-    CHECK(exercises.size() >= 6);
+    CHECK(exercises.size() == lessons::list().size());
+}
+
+TEST_CASE("exercises stand in the order of their lessons") {
+    std::vector<int> lessons;
+    for (const Exercise& exercise : exercises::all())
+        lessons.push_back(lessons::find_lesson(exercise.words.lesson).value().number);
+    CHECK(std::is_sorted(lessons.begin(), lessons.end()));
+}
+
+TEST_CASE("every exercise has three hints and foresees six mistakes at least") {
+    for (const Exercise& exercise : exercises::all()) {
+        CAPTURE(exercise.words.name);
+        CHECK(exercise.words.hints.size() >= 3);
+        CHECK(exercise.words.mistakes.size() >= 6);
+    }
 }
 
 TEST_CASE("exercises are numbered from 1 and found by number and by name") {
