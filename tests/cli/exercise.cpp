@@ -42,6 +42,7 @@ TEST_CASE("an exercise is begun, fails, passes, and the list knows") {
     CHECK(list.code == 0);
     CHECK(list.out.starts_with("Lesson 1: "));
     CHECK(contains(list.out, "   1  meet "));
+    CHECK(contains(list.out, " cost_of_next_level  What "));  // the longest name
     CHECK_FALSE(contains(list.out, "fails"));
     CHECK(scratch.files().empty());
 

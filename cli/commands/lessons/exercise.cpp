@@ -1,5 +1,6 @@
 #include "lessons/exercises/exercise.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -40,7 +41,15 @@ std::string command_for(const Exercise& exercise) {
 }
 
 std::string padded(const std::string& text, std::size_t width) {
-    return text.size() < width ? text + std::string(width - text.size(), ' ') : text;
+    return text + std::string(width - text.size(), ' ');
+}
+
+/// Of a column of the list, for the longest that stands in it.
+std::size_t width_of(std::string exercises::Words::*column) {
+    std::size_t width = 0;
+    for (const Exercise& exercise : exercises::all())
+        width = std::max(width, (exercise.words.*column).size());
+    return width + 2;
 }
 
 std::string heading_of(const std::string& lesson) {
@@ -54,6 +63,8 @@ void print_list(Workshop& workshop, bool json) {
     Json list = Json::array();
     std::string text;
     std::string lesson;
+    const std::size_t name = width_of(&exercises::Words::name);
+    const std::size_t title = width_of(&exercises::Words::title);
     for (const Exercise& exercise : exercises::all()) {
         const exercises::Words& words = exercise.words;
         const std::string progress =
@@ -65,8 +76,8 @@ void print_list(Workshop& workshop, bool json) {
                         {"state", progress}});
         if (words.lesson != lesson) text += heading_of(words.lesson);
         lesson = words.lesson;
-        text += right(std::to_string(exercise.number), 4) + "  " + padded(words.name, 16) +
-                padded(words.title, 40) + progress + "\n";
+        text += right(std::to_string(exercise.number), 4) + "  " + padded(words.name, name) +
+                padded(words.title, title) + progress + "\n";
     }
     if (json) return print(Json{{"exercises", std::move(list)}});
     print(text + "Begin one, or check what you wrote: lodlab exercise 1\n");
