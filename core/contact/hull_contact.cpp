@@ -259,9 +259,8 @@ struct ContactFace {
 
     /// What of it lies where normal . x <= offset.
     void clip(const Vector<Dim>& normal, double offset) {
-        std::array<Vector<Dim>, 2 * most_hull_corners<Dim>> before;
+        const std::array<Vector<Dim>, 2 * most_hull_corners<Dim>> before = corners;
         const std::size_t end = std::exchange(count, 0);
-        std::copy_n(corners.begin(), end, before.begin());
         clip_corners<Dim>(
             std::span(before).first(end), Space<Dim>::facets_close,
             [&](const Vector<Dim>& p) { return normal.dot(p) - offset; },
