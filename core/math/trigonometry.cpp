@@ -71,7 +71,7 @@ struct Reduced {
         const bool even = (turn == 0) | (turn == 2);
         const double sine = even ? s : c;
         const double cosine = even ? c : s;
-        return {turn < 2 ? sine : -sine, (turn == 1) | (turn == 2) ? -cosine : cosine};
+        return {turn < 2 ? sine : -sine, ((turn == 1) | (turn == 2)) ? -cosine : cosine};
     }
 };
 

@@ -1,7 +1,5 @@
 #include "lodlab/core/response/impact.hpp"
 
-#include <algorithm>
-
 namespace lod {
 namespace {
 
