@@ -103,14 +103,6 @@ class BookWriter {
         return figure + (narrow ? ".narrow.svg" : ".svg");
     }
 
-    /// Without the words that the page says above it.
-    static void write_picture(const fs::path& path, viz::Figure figure, double width) {
-        figure.title.clear();
-        figure.numbers.clear();
-        figure.caption.clear();
-        viz::write_web_svg(path, figure, width);
-    }
-
     void film(const fs::path& path, const Lesson& lesson, viz::Theme theme) {
         viz::WriteOptions how;
         how.theme = theme;
@@ -181,9 +173,11 @@ class BookWriter {
         fs::create_directory(folder);
         const std::string what = "lesson " + std::to_string(lesson.entry.number) + ": pictures";
         for (const auto& [name, figure] : lesson.figures) {
-            write_picture(folder / picture_name(name), figure, picture_width(figure));
+            viz::write_web_svg(folder / picture_name(name), without_words(figure),
+                               picture_width(figure));
             if (const auto narrow = narrow_picture(figure))
-                write_picture(folder / picture_name(name, true), narrow->figure, narrow->width);
+                viz::write_web_svg(folder / picture_name(name, true), without_words(narrow->figure),
+                                   narrow->width);
             meter_.did(what, picture_work);
         }
         kainjow::mustache::data data;

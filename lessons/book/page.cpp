@@ -39,12 +39,8 @@ std::string pane_tag(const viz::Figure& figure) {
 
 /// What a question's reader picks, over the picture; the largest below the others.
 std::string picks_html(const viz::Figure& figure, const Question& question, const std::string& id) {
-    viz::Figure drawn = figure;  // as write_picture of the book draws it
-    drawn.title.clear();
-    drawn.numbers.clear();
-    drawn.caption.clear();
     const double width = picture_width(figure);
-    const viz::Mapping place = viz::panel_places(drawn, width).front().mapping;
+    const viz::Mapping place = viz::panel_places(without_words(figure), width).front().mapping;
     Picks picks = question.picks;
     std::stable_sort(picks.begin(), picks.end(),
                      [](const Pick& one, const Pick& other) { return one.radius > other.radius; });
@@ -106,6 +102,13 @@ std::string live_html(const Lesson& lesson, const std::string& scene) {
 }
 
 }  // namespace
+
+viz::Figure without_words(viz::Figure figure) {
+    figure.title.clear();
+    figure.numbers.clear();
+    figure.caption.clear();
+    return figure;
+}
 
 std::optional<NarrowPicture> narrow_picture(const viz::Figure& figure) {
     constexpr double narrow_aspect = 1.28;   // as wide as a phone it is whole beside a step's words

@@ -22,6 +22,9 @@ struct NarrowPicture {
 /// Nothing for a figure that can be read there as it is.
 [[nodiscard]] std::optional<NarrowPicture> narrow_picture(const viz::Figure& figure);
 
+/// A figure without the words that the page says above it.
+[[nodiscard]] viz::Figure without_words(viz::Figure figure);
+
 /// Units across a figure's picture: few, so that its words can be read on a phone.
 [[nodiscard]] double picture_width(const viz::Figure& figure);
 

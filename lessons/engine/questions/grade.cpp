@@ -89,7 +89,6 @@ Graded grade_number(const Question& question, const std::string& answer) {
 }
 
 /// Which picks an answer names; nothing where it names what is none of them.
-
 std::optional<std::vector<bool>> picked_in(const Picks& picks, const std::string& answer) {
     std::vector<bool> picked(picks.size());
     std::string spaced = answer;
