@@ -7,12 +7,10 @@ Usage: access_test.py BOOK AXE [PAGE ...]   AXE: axe.min.js of axe-core; PAGE: f
 """
 
 import pathlib
-import shutil
 import sys
-import tempfile
 import time
 
-from browser_test import SKIPPED, Browser
+from browser_test import SKIPPED, in_browser
 
 WINDOWS = ((1280, 800), (390, 844))
 RUN = """
@@ -49,28 +47,25 @@ def violations_of(browser, page, axe):
     return found
 
 
-def main(book, axe, more):
-    driver = shutil.which("chromedriver")
-    chromium = shutil.which("chromium") or shutil.which("google-chrome")
-    if not driver or not chromium or not axe.is_file():
-        print("skipped: install chromium and chromium-driver, and name axe.min.js of axe-core by LODLAB_AXE")
-        return SKIPPED
+def check(browser, book, axe, more):
     faults = 0
-    with tempfile.TemporaryDirectory() as profile:
-        browser = Browser(driver, chromium, profile)
-        try:
-            browser.call(browser.session + "/timeouts", {"script": 60000})
-            for width, height in WINDOWS:
-                for dark in (False, True):
-                    browser.measure(width, height, dark)
-                    for page in [book / "index.html", *sorted(book.glob("*/index.html")), *more]:
-                        for violation, step in violations_of(browser, page, axe.read_text()).items():
-                            faults += 1
-                            scheme = "dark" if dark else "light"
-                            print(f"{page.parent.name}/{page.name}, {width}, {scheme}, step {step}: {violation}")
-        finally:
-            browser.close()
-    return 1 if faults else 0
+    browser.call(browser.session + "/timeouts", {"script": 60000})
+    for width, height in WINDOWS:
+        for dark in (False, True):
+            browser.measure(width, height, dark)
+            for page in [book / "index.html", *sorted(book.glob("*/index.html")), *more]:
+                for violation, step in violations_of(browser, page, axe.read_text()).items():
+                    faults += 1
+                    scheme = "dark" if dark else "light"
+                    print(f"{page.parent.name}/{page.name}, {width}, {scheme}, step {step}: {violation}")
+    return faults
+
+
+def main(book, axe, more):
+    if not axe.is_file():
+        print("skipped: name axe.min.js of axe-core by LODLAB_AXE")
+        return SKIPPED
+    return in_browser(lambda browser: check(browser, book, axe, more))
 
 
 if __name__ == "__main__":

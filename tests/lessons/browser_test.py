@@ -332,31 +332,40 @@ def check_looks(browser, page, report):
     report.expect(f"{name}: nothing is complained of", browser.complaints(), [])
 
 
-def main(book):
+def in_browser(work):
+    """The number of faults that work(browser) finds as an exit code; SKIPPED, with a word, where there is no browser."""
     driver = shutil.which("chromedriver")
     chromium = shutil.which("chromium") or shutil.which("google-chrome")
     if not driver or not chromium:
         print("skipped: install chromium and chromium-driver")
         return SKIPPED
-    pages = sorted(book.glob("*/index.html"))
-    report = Report()
-    report.expect("lessons", len(pages), 12)
     with tempfile.TemporaryDirectory() as profile:
         browser = Browser(driver, chromium, profile)
         try:
-            for page in pages:
-                check_steps(browser, page, report)
-                check_questions(browser, page, report)
-                check_looks(browser, page, report)
-            for lesson in ("distance_test", "traversal"):
-                check_picks(browser, book / lesson / "index.html", report)
-            check_typing(browser, book / "distance_test/index.html", report)
-            browser.open(book / "index.html")
-            report.expect("index: links", browser.run(
-                "return document.querySelectorAll('.lessons a').length"), len(pages))
+            return 1 if work(browser) else 0
         finally:
             browser.close()
-    return 1 if report.faults else 0
+
+
+def check(browser, book):
+    pages = sorted(book.glob("*/index.html"))
+    report = Report()
+    report.expect("lessons", len(pages), 12)
+    for page in pages:
+        check_steps(browser, page, report)
+        check_questions(browser, page, report)
+        check_looks(browser, page, report)
+    for lesson in ("distance_test", "traversal"):
+        check_picks(browser, book / lesson / "index.html", report)
+    check_typing(browser, book / "distance_test/index.html", report)
+    browser.open(book / "index.html")
+    report.expect("index: links", browser.run(
+        "return document.querySelectorAll('.lessons a').length"), len(pages))
+    return report.faults
+
+
+def main(book):
+    return in_browser(lambda browser: check(browser, book))
 
 
 if __name__ == "__main__":

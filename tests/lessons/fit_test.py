@@ -6,11 +6,9 @@ Usage: fit_test.py BOOK [--table]   exits 0 when every step fits, 1 with a line 
 """
 
 import pathlib
-import shutil
 import sys
-import tempfile
 
-from browser_test import SKIPPED, Browser
+from browser_test import in_browser
 
 WINDOWS = ((1280, 800), (390, 844))
 SMALLEST_OF_PICTURE = 15  # units of a picture: its smallest words
@@ -105,36 +103,30 @@ def faults_of(found, width):
     return faults
 
 
-def main(book, wants_table):
-    driver = shutil.which("chromedriver")
-    chromium = shutil.which("chromium") or shutil.which("google-chrome")
-    if not driver or not chromium:
-        print("skipped: install chromium and chromium-driver")
-        return SKIPPED
+def check(browser, book, wants_table):
     faults = []
-    with tempfile.TemporaryDirectory() as profile:
-        browser = Browser(driver, chromium, profile)
-        try:
-            for width, height in WINDOWS:
-                browser.measure(width, height)
-                fitting = steps = 0
-                smallest = 100
-                for page in sorted(book.glob("*/index.html")):
-                    browser.open(page)
-                    for number, views in enumerate(browser.run(ALL_STEPS), 1):
-                        wrong = [f"{name} {fault}" for name, found in views for fault in faults_of(found, width)]
-                        steps += 1
-                        fitting += not wrong
-                        smallest = min(smallest, *(found["unit"] * SMALLEST_OF_PICTURE for _, found in views))
-                        faults += [f"{page.parent.name} step {number} at {width}x{height}: {what}" for what in wrong]
-                        if wants_table:
-                            print(page.parent.name, number, f"{width}x{height}", "split" if len(views) > 1 else "whole",
-                                  max(found["foot"] for _, found in views), "; ".join(wrong) or "fits")
-                print(f"{width}x{height}: {fitting} of {steps} steps fit; words in pictures of at least {smallest:.1f} px")
-        finally:
-            browser.close()
+    for width, height in WINDOWS:
+        browser.measure(width, height)
+        fitting = steps = 0
+        smallest = 100
+        for page in sorted(book.glob("*/index.html")):
+            browser.open(page)
+            for number, views in enumerate(browser.run(ALL_STEPS), 1):
+                wrong = [f"{name} {fault}" for name, found in views for fault in faults_of(found, width)]
+                steps += 1
+                fitting += not wrong
+                smallest = min(smallest, *(found["unit"] * SMALLEST_OF_PICTURE for _, found in views))
+                faults += [f"{page.parent.name} step {number} at {width}x{height}: {what}" for what in wrong]
+                if wants_table:
+                    print(page.parent.name, number, f"{width}x{height}", "split" if len(views) > 1 else "whole",
+                          max(found["foot"] for _, found in views), "; ".join(wrong) or "fits")
+        print(f"{width}x{height}: {fitting} of {steps} steps fit; words in pictures of at least {smallest:.1f} px")
     print("\n".join(faults))
-    return 1 if faults else 0
+    return len(faults)
+
+
+def main(book, wants_table):
+    return in_browser(lambda browser: check(browser, book, wants_table))
 
 
 if __name__ == "__main__":

@@ -5,12 +5,10 @@ Usage: live_test.py BOOK PLAYED    PLAYED: what play_lessons wrote. Exits 0 when
 """
 
 import pathlib
-import shutil
 import sys
-import tempfile
 import time
 
-from browser_test import HOME, RIGHT, SKIPPED, Browser, Report
+from browser_test import HOME, RIGHT, SKIPPED, Report, in_browser
 
 ROOT = "const root = document.querySelector('section.live'); const live = root.live; "
 READY = "return !!document.querySelector('section.live').live || document.querySelector('.live .trouble').textContent"
@@ -134,7 +132,8 @@ def check_layout(browser, page, report):
         report.expect(f"{at}: the stage fits", stage[3] - stage[1] <= (0.55 if width < 1000 else 0.9) * height, True)
 
 
-def check(browser, book, played, report):
+def check(browser, book, played):
+    report = Report()
     pages = [page for page in sorted(book.glob("*/index.html")) if 'class="live"' in page.read_text()]
     report.expect("lessons with a live part", {page.parent.name for page in pages}, WITH_LIVE_PART)
     for page in pages:
@@ -158,25 +157,14 @@ def check(browser, book, played, report):
         report.expect("without scripts", "a box", "nothing")
     except RuntimeError:
         pass  # it has no box: it is not there
+    return report.faults
 
 
 def main(book, played):
-    driver = shutil.which("chromedriver")
-    chromium = shutil.which("chromium") or shutil.which("google-chrome")
-    if not driver or not chromium:
-        print("skipped: install chromium and chromium-driver")
-        return SKIPPED
     if not (book / "lodlab.js").exists():
         print("skipped: the book has no live parts, for lodlab was built without their module")
         return SKIPPED
-    report = Report()
-    with tempfile.TemporaryDirectory() as profile:
-        browser = Browser(driver, chromium, profile)
-        try:
-            check(browser, book, played, report)
-        finally:
-            browser.close()
-    return 1 if report.faults else 0
+    return in_browser(lambda browser: check(browser, book, played))
 
 
 if __name__ == "__main__":

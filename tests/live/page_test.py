@@ -5,14 +5,13 @@ Usage: page_test.py LODLAB    exits 0 when all is well, 1 with a line for each f
 """
 
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "lessons"))
-from browser_test import Browser, RIGHT, SKIPPED, Report  # noqa: E402
+from browser_test import RIGHT, Report, in_browser  # noqa: E402
 
 HOME, LEFT = "\ue011", "\ue012"
 READY = "return !!document.querySelector('.live').live || document.querySelector('.trouble').textContent"
@@ -136,8 +135,7 @@ def check_sliders(page, report):
 
 def check_layout(page, report, width, height):
     browser = page.browser
-    browser.call(browser.session + "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride", "params": {
-        "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 500}})
+    browser.measure(width, height)
     browser.open(page.path)
     time.sleep(0.5)
     at = f"{width}x{height}"
@@ -187,17 +185,8 @@ def check(lodlab, folder, browser):
 
 
 def main(lodlab):
-    driver, chromium = shutil.which("chromedriver"), shutil.which("chromium")
-    if not driver or not chromium:
-        print("no chromedriver or Chromium")
-        return SKIPPED
     with tempfile.TemporaryDirectory() as folder:
-        browser = Browser(driver, chromium, str(pathlib.Path(folder, "profile")))
-        try:
-            report = check(lodlab, pathlib.Path(folder), browser)
-        finally:
-            browser.close()
-    return 1 if report.faults else 0
+        return in_browser(lambda browser: check(lodlab, pathlib.Path(folder), browser).faults)
 
 
 if __name__ == "__main__":

@@ -29,6 +29,14 @@ Body<Dim> random_placed(Random& random, int depth, int branching, double room) {
     return body;
 }
 
+/// One of several that overlap as a rule, each with a tree of its own depth.
+template <int Dim>
+Body<Dim> random_near(Random& random) {
+    const int depth = 1 + random.below(4);
+    const int branching = 1 + random.below(5);
+    return random_placed<Dim>(random, depth, branching, 0.6);
+}
+
 bool by_numbers(const NodePair& x, const NodePair& y) {
     return x.a != y.a ? x.a < y.a : x.b < y.b;
 }
@@ -84,8 +92,8 @@ TEMPLATE_TEST_CASE_SIG("every level holds what brute force finds among its nodes
     // The balls nest, so no overlapping pair hides below one that is apart. Depths differ.
     check_property(71, 200, [](std::uint64_t seed) {
         Random random(seed);
-        const auto a = random_placed<Dim>(random, 1 + random.below(4), 1 + random.below(5), 0.6);
-        const auto b = random_placed<Dim>(random, 1 + random.below(4), 1 + random.below(5), 0.6);
+        const auto a = random_near<Dim>(random);
+        const auto b = random_near<Dim>(random);
         const std::vector<Front> levels = traverse_levels(a, b);
         for (std::size_t level = 0; level < levels.size(); ++level) {
             RC_ASSERT(levels[level].level == static_cast<int>(level));
@@ -105,8 +113,8 @@ TEMPLATE_TEST_CASE_SIG("many levels in one go end at the front of that level", "
                        ((int Dim), Dim), 2, 3) {
     check_property(74, 200, [](std::uint64_t seed) {
         Random random(seed);
-        const auto a = random_placed<Dim>(random, 1 + random.below(4), 1 + random.below(5), 0.6);
-        const auto b = random_placed<Dim>(random, 1 + random.below(4), 1 + random.below(5), 0.6);
+        const auto a = random_near<Dim>(random);
+        const auto b = random_near<Dim>(random);
         const std::vector<Front> levels = traverse_levels(a, b);
         const int last = random.below(7);
         PosedTree<Dim> posed_a;
