@@ -76,6 +76,7 @@ const FrameRecord<Dim>& detect(std::span<const Body<Dim>> bodies, const FrameSet
                                    budget, storage.fronts);
     storage.record.spending = {
         storage.scheduler.counts(), budget.tests_left(), {}, budget.after_levels()};
+    storage.record.turns = storage.scheduler.turns();
     storage.record.tests = budget.spent() - spent_before;
     const auto modelled = storage.contacts.model({bodies,
                                                   storage.candidates,

@@ -65,6 +65,9 @@ struct FrameRecord {
     /// bits when it is played again with Budget::until(*cut), unlimited where there is none.
     std::optional<Cut> cut;
     Spending spending;
+    /// The levels beyond the entry ones, in the order in which they had their turn; none where
+    /// there was no limit.
+    std::vector<Turn> turns;
     /// What the response of the finished levels may cost at most, in row visits: the reserve that
     /// Budget holds back as the cost of node pairs. Of Response::net.
     std::uint64_t reserved_row_visits = 0;

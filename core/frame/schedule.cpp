@@ -41,6 +41,7 @@ template <int Dim>
 void Scheduler<Dim>::refine_all(const RefineTask<Dim>& task, Budget& budget, Fronts& fronts) {
     fronts.of_pair.resize(task.pairs.size());
     counts_ = {};
+    turns_.clear();
     weighed_ = false;
     const bool trades = task.priority == Priority::trade && !own_value;
     refill(last_tests_, trades ? task.pairs.size() : 0, std::uint64_t{0});
@@ -293,26 +294,40 @@ void Scheduler<Dim>::fill_heap(Frame& frame) {
 
 template <int Dim>
 void Scheduler<Dim>::run(Frame& frame) {
-    WaitingLevel next;
     while (!heap_.empty()) {
-        next = heap_.pop();
-        const std::size_t pair = at(next.pair);
+        const WaitingLevel next = heap_.pop();
         frame.budget.reserve(frame.node_pairs);
-        frame.budget.begin(next.pair, frame.fronts.of_pair[pair].level + 1);
-        if (!frame.budget.fits(next.tests))
-            skip(frame);
-        else if (refine_one(frame, pair, frame.budget) == Refinement::interrupted)
-            ++counts_.dropped;
-        else {
-            ++counts_.finished;
-            if (frame.task.organisation == Organisation::stored) store(frame, pair);
-            if (offer(frame, pair, next)) heap_.push(next);
-        }
+        take_turn(frame, next);
         if (frame.budget.ended()) {
             counts_.skipped += heap_.size();
             return;
         }
     }
+}
+
+template <int Dim>
+void Scheduler<Dim>::take_turn(Frame& frame, const WaitingLevel& next) {
+    const std::size_t pair = at(next.pair);
+    const ListedFront& front = frame.fronts.of_pair[pair];
+    Turn turn{next.pair, front.level + 1, next.tests, TurnEnd::skipped};
+    frame.budget.begin(turn.pair, turn.level);
+    if (!frame.budget.fits(next.tests)) {
+        turns_.push_back(turn);
+        return skip(frame);
+    }
+    const std::uint64_t tests_before = front.tests;
+    const bool done = refine_one(frame, pair, frame.budget) == Refinement::finished;
+    turn.tests = front.tests - tests_before;
+    turn.end = done ? TurnEnd::finished : TurnEnd::dropped;
+    turns_.push_back(turn);
+    if (!done) {
+        ++counts_.dropped;
+        return;
+    }
+    ++counts_.finished;
+    if (frame.task.organisation == Organisation::stored) store(frame, pair);
+    WaitingLevel deeper;
+    if (offer(frame, pair, deeper)) heap_.push(deeper);
 }
 
 /// The level just taken does not fit; where none that waits does either, all are left out.

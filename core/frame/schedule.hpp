@@ -4,11 +4,14 @@
 /// The scheduler: refines the candidate pairs of a frame under one budget, a level of a pair at a
 /// time, in the order of a policy.
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "lodlab/core/base/executor.hpp"
+#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/frame/broad_phase.hpp"
 #include "lodlab/core/frame/schedule/attention.hpp"
 #include "lodlab/core/frame/schedule/collision_tree.hpp"
@@ -77,6 +80,27 @@ struct LevelCounts {
                                  ///< or the clock ran out
 };
 
+/// What became of a level that had its turn under a limit.
+enum class TurnEnd {
+    finished,  ///< the pair stands one level deeper
+    dropped,   ///< begun, and thrown away: LevelCounts::dropped
+    skipped,   ///< not begun, for it would not have fitted
+};
+/// Their words in results.
+[[nodiscard]] constexpr std::array<std::string_view, 3> names_of(TurnEnd) {
+    return {"finished", "dropped", "skipped"};
+}
+static_assert(names_of(TurnEnd{}).size() == static_cast<std::size_t>(TurnEnd::skipped) + 1);
+
+/// The turn of a pair's next level.
+struct Turn {
+    std::int32_t pair = 0;    ///< into the candidates
+    std::int32_t level = 0;   ///< in the making
+    std::uint64_t tests = 0;  ///< done; of a skipped one: that it would have taken
+    TurnEnd end = TurnEnd::finished;
+    friend bool operator==(const Turn&, const Turn&) = default;
+};
+
 /// The scheduler (section 5.1). The entry level of every pair is always done, which is level 0 but
 /// for bodies with hollows; its tests are spent whatever the budget says. Only on a clock that
 /// reserves what follows, where there is no time for that, those pairs alone go on from level 0
@@ -110,6 +134,9 @@ class Scheduler {
 
     /// Of the last refine_all.
     [[nodiscard]] const LevelCounts& counts() const { return counts_; }
+    /// Its turns, in their order: the levels beyond the entry ones. None where there was no limit,
+    /// nor of levels that were still waiting when nothing fitted any more.
+    [[nodiscard]] const std::vector<Turn>& turns() const { return turns_; }
     /// At the end of a frame: what was measured of time, for the next.
     void learn(const Budget& budget) { pace_ = budget.next_pace().value_or(pace_); }
     /// What is expected on a clock.
@@ -139,6 +166,7 @@ class Scheduler {
     [[nodiscard]] std::int32_t tier(Priority priority, std::size_t pair, int level) const;
     [[nodiscard]] double value(const Frame& frame, const WaitingLevel& waiting, int level) const;
     void run(Frame& frame);
+    void take_turn(Frame& frame, const WaitingLevel& next);
     void skip(Frame& frame);
     void remember(const Frame& frame);
     void store(const Frame& frame, std::size_t pair);
@@ -157,6 +185,7 @@ class Scheduler {
     CollisionTree stored_;
     Pace pace_;
     LevelCounts counts_;
+    std::vector<Turn> turns_;
 };
 
 extern template class Scheduler<2>;

@@ -329,3 +329,46 @@ TEMPLATE_TEST_CASE_SIG("stored levels keep the quota, are whole, and play again"
     CHECK(answered > 10);
     CHECK(deeper > 10);
 }
+
+TEMPLATE_TEST_CASE_SIG("a frame tells the turns of its levels in their order", "[schedule]",
+                       ((int Dim), Dim), 2, 3) {
+    const std::vector<Body<Dim>> bodies = couples<Dim>({1, 0.5, 0.7});
+    std::uint64_t dropped = 0;
+    std::uint64_t skipped = 0;
+    for (std::uint64_t quota = 0; quota < 3000; quota += 53) {
+        FrameStorage<Dim> storage;
+        Budget budget = Budget::node_tests(quota, 3);
+        const FrameRecord<Dim>& record = detect<Dim>(bodies, {}, budget, storage);
+        std::vector<int> levels(record.pairs.size(), -1);
+        LevelCounts counts;
+        std::uint64_t tests = 0;
+        for (const Turn& turn : record.turns) {
+            int& level = levels[at(turn.pair)];
+            if (level >= 0) CHECK(turn.level == level + 1);
+            level = turn.end == TurnEnd::finished ? turn.level : turn.level - 1;
+            if (turn.end != TurnEnd::skipped) tests += turn.tests;
+            ++(turn.end == TurnEnd::finished  ? counts.finished
+               : turn.end == TurnEnd::dropped ? counts.dropped
+                                              : counts.skipped);
+        }
+        for (std::size_t p = 0; p < levels.size(); ++p)
+            if (levels[p] >= 0) CHECK(record.pairs[p].level == levels[p]);
+        CHECK(counts.finished == record.spending.levels.finished);
+        CHECK(counts.dropped == record.spending.levels.dropped);
+        CHECK(counts.skipped <= record.spending.levels.skipped);
+        CHECK(tests <= record.tests);
+        dropped += counts.dropped;
+        skipped += counts.skipped;
+    }
+    CHECK(dropped > 0);
+    CHECK(skipped > 0);
+}
+
+TEST_CASE("a frame without a limit has no turns", "[schedule]") {
+    const std::vector<Body<2>> bodies = couples<2>({1, 0.5});
+    FrameStorage<2> storage;
+    Budget quota = Budget::node_tests(1000000);
+    CHECK_FALSE(detect<2>(bodies, {}, quota, storage).turns.empty());
+    Budget none = Budget::unlimited();
+    CHECK(detect<2>(bodies, {}, none, storage).turns.empty());
+}
