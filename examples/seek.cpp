@@ -43,7 +43,7 @@ int main() {
     while (player.frame() > 0) {
         player.back();
         if (player.step().record.impacts.empty()) continue;
-        const auto events = scenes::events_of<2>(player.step(), player.bodies());
+        const auto events = scenes::events_of<2>(player.step(), player.bodies(), options.settings);
         std::printf("the last frame with a contact: %d, %zu events\n", int(player.frame()),
                     events.size());
         break;

@@ -74,16 +74,25 @@ CLI::Validator range(double low, double high) {
 CLI::Validator place_of_a_trace() {
     return CLI::Validator(
         [](std::string& word) -> std::string {
-            const std::size_t point = std::min(word.find('.'), word.size());
+            const std::string_view text = word;
+            const std::size_t point = std::min(text.find('.'), text.size());
+            const std::string_view event = text.substr(std::min(point + 1, text.size()));
+            const std::size_t colon = std::min(event.find(':'), event.size());
             const auto is_whole = [](std::string_view digits) {
                 return !digits.empty() &&
                        digits.find_first_not_of("0123456789") == std::string_view::npos;
             };
-            const std::string_view text = word;
-            if (is_whole(text.substr(0, point)) &&
-                (point == text.size() || is_whole(text.substr(point + 1))))
-                return {};
-            return "must be a frame, as 120, or an event of one, as 120.3, not " + word;
+            const auto is_name = [](std::string_view name) {
+                return !name.empty() && name.find_first_not_of("abcdefghijklmnopqrstuvwxyz") ==
+                                            std::string_view::npos;
+            };
+            const bool is_event =
+                is_whole(event) || (is_name(event.substr(0, colon)) &&
+                                    (colon == event.size() || is_whole(event.substr(colon + 1))));
+            if (is_whole(text.substr(0, point)) && (point == text.size() || is_event)) return {};
+            return "must be a frame, as 120, or an event of one, as 120.3, 120.impulse or "
+                   "120.contact:2, not " +
+                   word;
         },
         "");
 }
@@ -187,7 +196,7 @@ const Row rows[] = {
     {"--replay", [](CLI::App& a, Options& o) { a.add_option("--replay", o.replay, "play a trace of this scene again, to the same bits")->type_name("FILE"); }},
     {"--records", [](CLI::App& a, Options& o) { a.add_flag("--records", o.records, "the trace tells each frame's bodies, pairs and contacts, too, for other programs"); }},
     {"--key-frames", [](CLI::App& a, Options& o) { a.add_option("--key-frames", o.key_frames, "frames of the trace from one that is reached at once to the next; without it 100, fewer with more than 5,000 bodies")->check(range(1, most_tests)); }},
-    {"--seek", [](CLI::App& a, Options& o) { a.add_option("--seek", o.seek, "print a moment of the trace: a frame, from 0, or an event of it")->type_name("FRAME[.EVENT]")->check(place_of_a_trace()); }},
+    {"--seek", [](CLI::App& a, Options& o) { a.add_option("--seek", o.seek, "print a moment of the trace: a frame, from 0, or an event of it, by number, from 0, or by kind (level, dropped, skipped, exact, contact, round, impulse, swept), as 120.impulse or 120.contact:2")->type_name("FRAME[.EVENT]")->check(place_of_a_trace()); }},
     {"--continue", [](CLI::App& a, Options& o) { a.add_option("--continue", o.continued, "go on where a trace of this scene ends, up to the duration")->type_name("FILE"); }},
     {"--raise-limits", [](CLI::App& a, Options& o) { a.add_option("--raise-limits", o.raise_limits, "multiply every limit on the size of the input by this")->check(range(1, 1e9))->capture_default_str(); }},
     {"--no-video", [](CLI::App& a, Options& o) { a.add_flag("--no-video", o.no_video, "leave the videos out"); }},

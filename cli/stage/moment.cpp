@@ -30,22 +30,21 @@ template <int Dim>
 struct Moment {
     const scenes::Setup<Dim>& setup;
     const scenes::TracePlayer<Dim>& player;
-    std::uint64_t frames_run = 0;  ///< to get there
+    std::uint64_t frames_run = 0;             ///< to get there
+    const scenes::Step<Dim>* step = nullptr;  ///< none at the end
+    std::vector<std::string> names;           ///< of the bodies
     std::vector<scenes::Event<Dim>> events;
     std::optional<std::size_t> event;  ///< that was asked for
 
-    [[nodiscard]] const std::string& name(std::int32_t body) const {
-        return setup.scene.bodies[lod::at(body)].name;
-    }
     [[nodiscard]] double time() const {
         return static_cast<double>(player.frame()) * player.trace().head().settings.time_step;
     }
 };
 
-/// FRAME[.EVENT], two whole numbers.
+/// FRAME[.EVENT], an event by its number, or by its kind and which of that kind.
 struct Place {
     std::int64_t frame = 0;
-    std::optional<std::size_t> event;
+    std::string event;
 };
 
 template <class Whole>
@@ -58,66 +57,85 @@ Whole whole_in(std::string_view digits) {
 }
 
 Place place_in(const std::string& text) {
-    const std::size_t point = text.find('.');
-    Place place{whole_in<std::int64_t>(std::string_view(text).substr(0, point)), {}};
-    if (point != std::string::npos)
-        place.event = whole_in<std::size_t>(std::string_view(text).substr(point + 1));
-    return place;
+    const std::size_t point = std::min(text.find('.'), text.size());
+    return {whole_in<std::int64_t>(std::string_view(text).substr(0, point)),
+            text.substr(std::min(point + 1, text.size()))};
 }
 
-/// What happened, as a sentence without its full stop.
 template <int Dim>
-std::string sentence(const Moment<Dim>& moment, const scenes::Event<Dim>& event) {
-    const std::string& a = moment.name(event.a);
-    const std::string& b = moment.name(event.b);
-    const auto where = [&] {
-        return " at " + in_brackets(event.contact.point) + " m along " +
-               in_brackets(event.contact.normal);
-    };
-    switch (event.kind) {
-        case scenes::EventKind::level:
-            return "level " + std::to_string(event.level) + " of " + a + " and " + b + ": " +
-                   std::to_string(event.overlapping) + " node pairs overlap, " +
-                   std::to_string(event.tests) + " tested";
-        case scenes::EventKind::exact:
-            return "the true shapes of " + a + " and " + b +
-                   (event.overlapping == 0
-                        ? std::string(" are apart")
-                        : " touch in " + std::to_string(event.overlapping) + " contacts at " +
-                              readable(event.time) + " s from the frame");
-        case scenes::EventKind::contact:
-            return a + " and " + b + " touch" + where() + ", " + readable(event.contact.depth) +
-                   " m deep";
-        case scenes::EventKind::impulse:
-            return a + " pushes " + b + " by " + readable(event.impulse) + " N s" + where();
-        case scenes::EventKind::swept:
-            break;
+[[noreturn]] void refuse_event(const Moment<Dim>& moment, const std::string& asked) {
+    const std::string frame = "frame " + std::to_string(moment.player.frame());
+    if (moment.events.empty()) misused("nothing happens in " + frame + "; drop ." + asked);
+    misused(frame + " has no event " + asked + ": it has the events 0 to " +
+            std::to_string(moment.events.size() - 1) + ", " +
+            scenes::kinds_text<Dim>(moment.events) + "; seek one of them");
+}
+
+/// The event that was asked for, as a place in the list.
+template <int Dim>
+std::size_t place_of(const Moment<Dim>& moment, const std::string& asked) {
+    const std::size_t colon = std::min(asked.find(':'), asked.size());
+    const bool by_number = asked.find_first_not_of("0123456789") == std::string::npos;
+    const auto nth = colon < asked.size()
+                         ? whole_in<std::uint64_t>(std::string_view(asked).substr(colon + 1))
+                         : 1;
+    const auto kind = by_number
+                          ? scenes::EventKind{}
+                          : lod::chosen<scenes::EventKind>(asked.substr(0, colon), "kind of event");
+    const std::uint64_t number = by_number ? whole_in<std::uint64_t>(asked) : 0;
+    for (std::size_t i = 0; i < moment.events.size(); ++i) {
+        const scenes::Event<Dim>& event = moment.events[i];
+        if (by_number ? i == number
+                      : event.kind == kind && static_cast<std::uint64_t>(event.nth) == nth)
+            return i;
     }
-    return a + " runs into " + b + " " + readable(event.time) +
-           " s after the frame, and pushes by " + readable(event.impulse) + " N s" + where();
+    refuse_event(moment, asked);
+}
+
+/// "event 3, contact:1: A and B touch ...".
+template <int Dim>
+std::string told(const Moment<Dim>& moment, std::size_t place) {
+    const scenes::Event<Dim>& event = moment.events[place];
+    return "event " + std::to_string(place) + ", " + scenes::event_name(event) + ": " +
+           scenes::sentence<Dim>(event, moment.names);
+}
+
+/// Of a level that was finished, or was not.
+template <int Dim>
+void add_level(const scenes::Event<Dim>& event, Json& json) {
+    json["level"] = event.level;
+    if (event.kind != scenes::EventKind::skipped) json["tests"] = event.tests;
+    if (event.kind == scenes::EventKind::level)
+        json["overlapping"] = event.overlapping;
+    else
+        json["needed"] = event.needed;
 }
 
 template <int Dim>
 Json json_of(const Moment<Dim>& moment, const scenes::Event<Dim>& event) {
-    Json json = {{"kind", lod::name_of(event.kind)},
-                 {"a", moment.name(event.a)},
-                 {"b", moment.name(event.b)}};
     using Kind = scenes::EventKind;
-    if (event.kind == Kind::level) {
-        json["level"] = event.level;
-        json["tests"] = event.tests;
-        json["overlapping"] = event.overlapping;
+    Json json = {{"name", scenes::event_name(event)},
+                 {"kind", lod::name_of(event.kind)},
+                 {"a", moment.names[lod::at(event.a)]},
+                 {"b", moment.names[lod::at(event.b)]}};
+    if (event.kind <= Kind::skipped) {
+        add_level(event, json);
     } else if (event.kind == Kind::exact) {
         json["contacts"] = event.overlapping;
         json["time"] = event.time;
     } else {
+        if (event.kind == Kind::round) {
+            json["round"] = event.round;
+            json["rounds"] = event.rounds;
+            json["contacts"] = event.overlapping;
+        }
         json["point"] = list_of(event.contact.point);
         json["normal"] = list_of(event.contact.normal);
         json["depth"] = event.contact.depth;
         if (event.kind != Kind::contact) json["impulse"] = event.impulse;
         if (event.kind == Kind::swept) json["time"] = event.time;
     }
-    json["sentence"] = sentence(moment, event);
+    json["sentence"] = scenes::sentence<Dim>(event, moment.names);
     return json;
 }
 
@@ -158,6 +176,15 @@ Json result_of(const Moment<Dim>& moment) {
             {"bodies", std::move(bodies)}};
 }
 
+/// An event, and those before and after it.
+template <int Dim>
+std::string around(const Moment<Dim>& moment, std::size_t place) {
+    const bool is_last = place + 1 == moment.events.size();
+    return "  before it: " + (place == 0 ? "nothing" : told(moment, place - 1)) + "\n  " +
+           told(moment, place) +
+           "\n  after it: " + (is_last ? "nothing" : told(moment, place + 1)) + "\n";
+}
+
 template <int Dim>
 std::string report_of(const Moment<Dim>& moment) {
     const std::string more = " more; --json lists all\n";
@@ -173,42 +200,56 @@ std::string report_of(const Moment<Dim>& moment) {
                 " m/s, turns by " + in_brackets(bodies[i].spin) + " rad/s\n";
     if (bodies.size() > most_lines)
         text += "  " + std::to_string(bodies.size() - most_lines) + more;
-    if (moment.event)
-        return text + "  event " + std::to_string(*moment.event) + ": " +
-               sentence(moment, moment.events[*moment.event]) + "\n";
+    if (moment.event) return text + around(moment, *moment.event);
     for (std::size_t i = 0; i < std::min(moment.events.size(), most_lines); ++i)
-        text += "  event " + std::to_string(i) + ": " + sentence(moment, moment.events[i]) + "\n";
+        text += "  " + told(moment, i) + "\n";
     if (moment.events.size() > most_lines)
         text += "  " + std::to_string(moment.events.size() - most_lines) + more;
     return text;
 }
 
+/// The nodes of a level that was finished, begun, or not begun: then those that wait.
 template <int Dim>
-void check_event(const Moment<Dim>& moment) {
-    const std::size_t count = moment.events.size();
-    if (!moment.event || *moment.event < count) return;
-    const std::string frame = "frame " + std::to_string(moment.player.frame());
-    if (count == 0)
-        misused("nothing happens in " + frame + "; drop ." + std::to_string(*moment.event));
-    misused(frame + " has the events 0 to " + std::to_string(count - 1) + "; seek one of them");
+void add_level(const Moment<Dim>& moment, const scenes::Event<Dim>& event, viz::Panel& panel) {
+    const lod::Body<Dim>& a = moment.player.bodies()[lod::at(event.a)];
+    const lod::Body<Dim>& b = moment.player.bodies()[lod::at(event.b)];
+    const bool is_whole = event.kind == scenes::EventKind::level;
+    const lod::Front front =
+        lod::traverse_levels(a, b, is_whole ? event.level : event.level - 1).back();
+    if (!is_whole) {
+        const viz::TestedNodes lost = viz::tested_nodes<Dim>(a, b, front, event.tests);
+        viz::add_nodes<Dim>(panel, a, lost.a, viz::Role::dropped_node, 0);
+        viz::add_nodes<Dim>(panel, b, lost.b, viz::Role::dropped_node, 1);
+    }
+    viz::add_meeting_nodes<Dim>(panel, {a, 0}, {b, 1}, front.pairs);
+}
+
+/// The contacts that push in a round, the hardest with its impulse.
+template <int Dim>
+void add_round(const Moment<Dim>& moment, const scenes::Event<Dim>& event, viz::Panel& panel) {
+    const double length = arrow_share * viz::longer_side(panel.view);
+    const auto& impacts = moment.step->record.impacts;
+    for (std::size_t i = 0; i < event.pushes.size(); ++i) {
+        if (event.pushes[i] <= 0) continue;
+        const lod::Contact<Dim>& contact = impacts[i].contact;
+        const bool is_hardest = event.pushes[i] == event.impulse;
+        viz::add_arrow<Dim>(
+            panel, {.role = viz::Role::impulse}, contact.point,
+            contact.point + length * event.pushes[i] / event.impulse * contact.normal,
+            is_hardest ? readable(event.impulse, 3) + "\u00A0N\u00A0s" : std::string());
+    }
 }
 
 /// What an event is, over the picture of its frame.
 template <int Dim>
 void add_event(const Moment<Dim>& moment, const scenes::Event<Dim>& event, viz::Panel& panel) {
-    const std::vector<lod::Body<Dim>> bodies(moment.player.bodies().begin(),
-                                             moment.player.bodies().end());
-    const lod::Body<Dim>& a = bodies[lod::at(event.a)];
-    const lod::Body<Dim>& b = bodies[lod::at(event.b)];
-    if (event.kind == scenes::EventKind::level) {
-        const std::vector<lod::Front> fronts = lod::traverse_levels(a, b, event.level);
-        viz::add_meeting_nodes<Dim>(panel, {a, 0}, {b, 1}, fronts.back().pairs);
-        return;
-    }
-    if (event.kind == scenes::EventKind::exact) return;
+    using Kind = scenes::EventKind;
+    if (event.kind <= Kind::skipped) return add_level(moment, event, panel);
+    if (event.kind == Kind::exact) return;
+    if (event.kind == Kind::round) return add_round(moment, event, panel);
     const double length = arrow_share * viz::longer_side(panel.view);
     const std::vector<lod::Contact<Dim>> contacts{event.contact};
-    const bool pushes = event.kind != scenes::EventKind::contact;
+    const bool pushes = event.kind != Kind::contact;
     viz::add_contact_points<Dim>(panel, contacts);
     viz::add_arrow<Dim>(panel, {.role = pushes ? viz::Role::impulse : viz::Role::normal},
                         event.contact.point, event.contact.point + length * event.contact.normal,
@@ -217,24 +258,24 @@ void add_event(const Moment<Dim>& moment, const scenes::Event<Dim>& event, viz::
 
 /// The frame as `simulate --quota` films it, and in it the event that was asked for.
 template <int Dim>
-viz::Figure figure_of(const Moment<Dim>& moment, const scenes::Step<Dim>* step) {
+viz::Figure figure_of(const Moment<Dim>& moment) {
     const scenes::TraceHead& head = moment.player.trace().head();
     scenes::Run<Dim> run;
     run.settings = head.settings;
     run.end = scenes::states_of(moment.player.bodies());
-    if (step != nullptr) run.steps.push_back(*step);
+    if (moment.step != nullptr) run.steps.push_back(*moment.step);
     viz::Run<Dim> shown = seen(moment.setup, run, "");
     shown.instants.resize(1);
     viz::CrowdChoice choice = crowd_choice(head.settings, head.limits);
     choice.first_frame = moment.player.frame();
     choice.frames = moment.player.frames();
-    if (step == nullptr) {
+    if (moment.step == nullptr) {
         choice.quota = {};
         choice.title = "After the last frame, " + std::to_string(moment.player.frames());
     }
     if (moment.event) {
-        std::string words = sentence(moment, moment.events[*moment.event]);
-        words.resize(std::min(words.size(), words.find(" at (")));  // the picture shows where
+        std::string words = scenes::sentence<Dim>(moment.events[*moment.event], moment.names,
+                                                  scenes::Places::left_out);
         words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
         choice.title = viz::literal_text(words);
     }
@@ -255,12 +296,15 @@ void show_moment(const scenes::Setup<Dim>& setup, const Options& options,
                 std::to_string(trace.frames()) + " is its end; seek one of them");
     scenes::TracePlayer<Dim> player(trace, setup.bodies);
     player.seek(place.frame);
-    Moment<Dim> moment{setup, player, player.frames_run(), {}, place.event};
-    const scenes::Step<Dim>* step = place.frame < trace.frames() ? &player.step() : nullptr;
-    if (step != nullptr) moment.events = scenes::events_of<Dim>(*step, setup.bodies);
-    check_event(moment);
+    Moment<Dim> moment{setup, player, player.frames_run()};
+    for (const scenes::BodySpec& body : setup.scene.bodies) moment.names.push_back(body.name);
+    if (place.frame < trace.frames()) {
+        moment.step = &player.step();
+        moment.events = scenes::events_of<Dim>(*moment.step, setup.bodies, trace.head().settings);
+    }
+    if (!place.event.empty()) moment.event = place_of(moment, place.event);
     Drawing drawing;
-    drawing.figure = [&] { return figure_of(moment, step); };
+    drawing.figure = [&] { return figure_of(moment); };
     write_outputs(options, drawing);
     if (options.json)
         print(result_of(moment));

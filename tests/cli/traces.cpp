@@ -4,6 +4,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -43,6 +44,27 @@ velocity = [300, 0]
 depth = 2
 )";
 
+/// A disc that hits the first of two that stand side by side: the push goes on in a second round.
+const char* const row_scene = R"(
+duration = 0.6
+time_step = 0.01
+[[body]]
+name = "A"
+shape = "disc"
+position = [-1.3, 0]
+velocity = [1, 0]
+depth = 2
+[[body]]
+name = "B"
+shape = "disc"
+depth = 2
+[[body]]
+name = "C"
+shape = "disc"
+position = [0.999, 0]
+depth = 2
+)";
+
 Json seek(const std::string& name, const std::string& trace, const std::string& place) {
     return result({"simulate", name, "--replay", trace, "--seek", place, "--json"});
 }
@@ -71,7 +93,18 @@ TEST_CASE("the moments of a trace have exactly the documented keys, and tell of 
         if (!moment["events"].empty()) collect(moment, "", keys);
         for (const Json& event : moment["events"]) kinds.insert(event["kind"]);
     }
-    CHECK(kinds == std::set<std::string>{"level", "exact", "contact", "impulse", "swept"});
+    const std::string row = scratch.write("row.toml", row_scene);
+    result({"simulate", row, "--trace", scratch / "row.json", "--budget", "12", "--json"});
+    for (int frame = 0; frame < 60; frame += 1) {
+        const Json moment = seek(row, scratch / "row.json", std::to_string(frame));
+        for (const Json& event : moment["events"]) {
+            if (kinds.insert(event["kind"]).second) collect(moment, "", keys);
+            if (event["kind"] == "skipped") CHECK(event["needed"] > 0);
+        }
+        if (kinds.count("round") > 0 && kinds.count("skipped") > 0) break;
+    }
+    CHECK(kinds == std::set<std::string>{"level", "skipped", "exact", "contact", "round", "impulse",
+                                         "swept"});
     CHECK(keys == documented("simulate --seek"));
     CHECK(seek(file, trace, "60")["state_hash"] == run["state_hash"]);
     CHECK(seek(file, trace, "60")["events"].empty());
@@ -91,9 +124,13 @@ TEST_CASE("a moment is told in words, with the event that was asked for") {
         {"simulate", "offset_boxes", "--replay", trace, "--seek", std::to_string(frame) + ".0"});
     CHECK(words.code == 0);
     CHECK(words.out.find("offset_boxes: frame " + std::to_string(frame) + " of 360") == 0);
-    CHECK(words.out.find("event 0: " + moment["events"][0]["sentence"].get<std::string>()) !=
+    const auto line = [&](std::size_t i) {
+        return "event " + std::to_string(i) + ", " +
+               moment["events"][i]["name"].get<std::string>() + ": " +
+               moment["events"][i]["sentence"].get<std::string>() + "\n";
+    };
+    CHECK(words.out.find("  before it: nothing\n  " + line(0) + "  after it: " + line(1)) !=
           std::string::npos);
-    CHECK(words.out.find("event 1") == std::string::npos);
     check_refused(lodlab({"simulate", "offset_boxes", "--replay", trace, "--seek", "361"}), 2,
                   "the frames 0 to 359, and 360 is its end");
     check_refused(lodlab({"simulate", "offset_boxes", "--replay", trace, "--seek", "0.0"}), 2,
@@ -101,12 +138,48 @@ TEST_CASE("a moment is told in words, with the event that was asked for") {
     check_refused(lodlab({"simulate", "offset_boxes", "--replay", trace, "--seek",
                           std::to_string(frame) + ".99"}),
                   2, "has the events 0 to");
-    for (const char* place : {"-1", "1.", ".1", "1.2.3", "x", "1e3", ""})
+    for (const char* place : {"-1", "1.", ".1", "1.2.3", "x", "1e3", "", "1.contact:", "1.:2",
+                              "1.contact:x", "1.contact:1:1"})
         check_refused(lodlab({"simulate", "offset_boxes", "--replay", trace, "--seek", place}), 2,
                       "--seek");
     check_refused(
         lodlab({"simulate", "offset_boxes", "--replay", trace, "--seek", "99999999999999999999"}),
         2, "--seek");
+}
+
+TEST_CASE("an event is reached by its kind, and by which of that kind") {
+    const Scratch scratch;
+    const std::string trace = scratch / "t.json";
+    result({"simulate", "offset_boxes", "--trace", trace, "--json"});
+    const auto kinds_at = [&](int frame) {
+        std::set<std::string> kinds;
+        for (const Json& event : seek("offset_boxes", trace, std::to_string(frame))["events"])
+            kinds.insert(event["kind"]);
+        return kinds;
+    };
+    int frame = 0;
+    while (kinds_at(frame).count("impulse") == 0) ++frame;
+    const std::string at = std::to_string(frame) + ".";
+    const Json events = seek("offset_boxes", trace, std::to_string(frame))["events"];
+    std::map<std::string, int> counts;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        const std::string kind = events[i]["kind"];
+        const std::string name = kind + ":" + std::to_string(++counts[kind]);
+        CHECK(events[i]["name"] == name);
+        CHECK(seek("offset_boxes", trace, at + name)["event"] == i);
+        if (counts[kind] == 1) CHECK(seek("offset_boxes", trace, at + kind)["event"] == i);
+    }
+    CHECK(counts["level"] > 1);
+    const auto refused = [&](const std::string& event, const std::string& words) {
+        check_refused(lodlab({"simulate", "offset_boxes", "--replay", trace, "--seek", at + event}),
+                      2, words);
+    };
+    refused("swept", "has no event swept: it has the events 0 to " +
+                         std::to_string(events.size() - 1) + ", " +
+                         std::to_string(counts["level"]) + " levels, ");
+    refused("level:99", "has no event level:99");
+    refused("contact:0", "has no event contact:0");
+    refused("impuls", "kind of event");
 }
 
 TEST_CASE("a run that goes on from its trace ends as one that never stopped, in every byte") {
@@ -239,6 +312,7 @@ TEST_CASE("a moment of a trace is drawn, with its event, and the quota where the
     // The title is the event's sentence; its node pairs are drawn as the marks that meet.
     const Json event = drawn(std::to_string(frame) + ".0");
     std::string sentence = moment["events"][0]["sentence"];
+    REQUIRE(moment["events"][0]["kind"] == "level");
     sentence[0] = static_cast<char>(std::toupper(sentence[0]));
     CHECK(event["title"] == sentence);
     std::size_t meeting = 0;

@@ -103,7 +103,8 @@ TEST_CASE("the events of a frame are its levels, its contacts and its impulses")
     for (const scenes::Step<2>& step : run.steps) {
         std::uint64_t tests = 0;
         std::size_t pushed = 0;
-        for (const scenes::Event<2>& event : scenes::events_of<2>(step, crossing())) {
+        for (const scenes::Event<2>& event :
+             scenes::events_of<2>(step, crossing(), options.settings)) {
             kinds.insert(event.kind);
             CHECK(event.a < event.b);
             tests += event.tests;
@@ -128,7 +129,7 @@ TEST_CASE("two balls that meet have the two levels, the contact and the impulse 
     options.settings.deepest_level = 0;
     options.settings.contact_model = lod::ContactModel::centre_line;
     scenes::Runner<2> runner(bodies, options);
-    const auto events = scenes::events_of<2>(runner.next(), bodies);
+    const auto events = scenes::events_of<2>(runner.next(), bodies, options.settings);
     REQUIRE(events.size() == 3);
     CHECK(events[0].kind == scenes::EventKind::level);
     CHECK(events[0].level == 0);

@@ -97,6 +97,29 @@ TEST_CASE("a traversal's bold nodes are those of the front, the thin ones those 
     }
 }
 
+TEST_CASE("the first tests of a level touch ever more of its nodes", "[drawings]") {
+    const Actor<2> a = sample::actor("star:5", 0, 0, 0, 4);
+    const Actor<2> b = sample::actor("star:5", 0.5, 0.3, 0.2, 4);
+    const auto fronts = lod::traverse_levels(a.body, b.body);
+    for (std::size_t level = 1; level < fronts.size(); ++level) {
+        const lod::Front& before = fronts[level - 1];
+        const std::uint64_t tests = fronts[level].tests - before.tests;
+        std::size_t touched = 0;
+        for (std::uint64_t some = 0; some <= tests; ++some) {
+            const TestedNodes of = tested_nodes(a.body, b.body, before, some);
+            CHECK(of.a.size() + of.b.size() >= touched);
+            CHECK(of.a.size() * of.b.size() >= some / before.pairs.size());
+            touched = of.a.size() + of.b.size();
+            if (some == 1) CHECK(touched == 2);
+        }
+        CHECK(touched > 2);
+        // More tests than there are: leaves that are carried on untested are not touched.
+        CHECK(tested_nodes(a.body, b.body, before, tests + 1).a.size() ==
+              tested_nodes(a.body, b.body, before, tests).a.size());
+    }
+    CHECK(tested_nodes(a.body, b.body, fronts[0], 0).a.empty());
+}
+
 TEST_CASE("a traversal of bodies that are apart says so", "[drawings]") {
     const Actor<2> a = sample::actor("star:5", 0, 0, 0, 4);
     const Actor<2> b = sample::actor("star:5", 0.9, 0.4, 0.2, 4);

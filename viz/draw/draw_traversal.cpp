@@ -115,6 +115,27 @@ TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
 }
 
 template <int Dim>
+TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b, const lod::Front& front,
+                         std::uint64_t tests) {
+    std::set<int> of_a;
+    std::set<int> of_b;
+    for (const lod::NodePair& pair : front.pairs) {
+        if (a.tree->is_leaf(pair.a) && b.tree->is_leaf(pair.b)) continue;
+        std::set<int> next_a;
+        std::set<int> next_b;
+        insert_next(*a.tree, pair.a, next_a);
+        insert_next(*b.tree, pair.b, next_b);
+        for (const int node_a : next_a)
+            for (const int node_b : next_b) {
+                if (tests-- == 0) return {{of_a.begin(), of_a.end()}, {of_b.begin(), of_b.end()}};
+                of_a.insert(node_a);
+                of_b.insert(node_b);
+            }
+    }
+    return {{of_a.begin(), of_a.end()}, {of_b.begin(), of_b.end()}};
+}
+
+template <int Dim>
 Figure traversal(const Actor<Dim>& a, const Actor<Dim>& b, const std::vector<lod::Front>& fronts,
                  const TraversalChoice& choice,
                  const typename DrawTraits<Dim>::Viewpoint& viewpoint) {
@@ -170,6 +191,10 @@ template TestedNodes tested_nodes<2>(const lod::Body<2>&, const lod::Body<2>&,
                                      const std::vector<lod::Front>&, int);
 template TestedNodes tested_nodes<3>(const lod::Body<3>&, const lod::Body<3>&,
                                      const std::vector<lod::Front>&, int);
+template TestedNodes tested_nodes<2>(const lod::Body<2>&, const lod::Body<2>&, const lod::Front&,
+                                     std::uint64_t);
+template TestedNodes tested_nodes<3>(const lod::Body<3>&, const lod::Body<3>&, const lod::Front&,
+                                     std::uint64_t);
 template Figure traversal<2>(const Actor<2>&, const Actor<2>&, const std::vector<lod::Front>&,
                              const TraversalChoice&, const DrawTraits<2>::Viewpoint&);
 template Figure traversal<3>(const Actor<3>&, const Actor<3>&, const std::vector<lod::Front>&,

@@ -35,9 +35,14 @@ struct TestedNodes {
     std::vector<int> a;
     std::vector<int> b;
 };
-/// `fronts` as lod::traverse_levels returns them.
+/// `fronts` as lod::traverse_levels returns them, down to the level before at least.
 template <int Dim>
 [[nodiscard]] TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
                                        const std::vector<lod::Front>& fronts, int level);
+
+/// The same of the first `tests` of the level after a front: of one that was cut short there.
+template <int Dim>
+[[nodiscard]] TestedNodes tested_nodes(const lod::Body<Dim>& a, const lod::Body<Dim>& b,
+                                       const lod::Front& front, std::uint64_t tests);
 
 }  // namespace viz

@@ -28,6 +28,8 @@ const char* role_name(Role role) {
             return "meeting_node";
         case Role::true_collision:
             return "true_collision";
+        case Role::dropped_node:
+            return "dropped_node";
         case Role::contact:
             return "contact";
         case Role::normal:

@@ -32,6 +32,7 @@ enum class Role {
     level_node,      ///< a node of the level that a picture shows, in its body's ink
     meeting_node,    ///< a node that intersects one of the other body: bold, in its body's ink
     true_collision,  ///< a leaf that intersects a leaf: doubled, so that grey print shows it
+    dropped_node,    ///< a node whose tests are thrown away: dashed, in its body's ink
     contact,         ///< contact point
     normal,          ///< contact normal
     impulse,

@@ -114,6 +114,8 @@ Pen pen(Theme theme, Role role, int body) {
             return {.ink = own, .width = 3, .fill = 0.25};
         case Role::true_collision:
             return {.ink = of.true_collision, .width = 3, .fill = 0.2, .doubled = true};
+        case Role::dropped_node:
+            return {.ink = own, .width = 1.5, .dashed = true};
         case Role::contact:
             return {.ink = of.contact, .width = 2.5, .fill = 1};
         case Role::normal:

@@ -58,6 +58,7 @@ Solidity solidity_of(Role role) {
         case Role::ghost:
             return {0.24, 0.5, 0.5, 1};
         case Role::node:
+        case Role::dropped_node:
             return {0.03, 0.3, 0.6, 1};
         case Role::meeting_node:
             return {0.3, 0.8, 1, 2.25, true};
