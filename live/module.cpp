@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <optional>
 #include <string>
 
 #include "lodlab/core/base/error.hpp"
+#include "lodlab/live/choices.hpp"
 #include "lodlab/live/outline.hpp"
 #include "lodlab/live/picture.hpp"
+#include "lodlab/live/sources.hpp"
 #include "lodlab/viz/figure/json.hpp"
 
 struct lodlab_live {
@@ -42,10 +45,6 @@ const char* told(lodlab_live* live, const Text& text) {
     return tried([&] { live->text = text(live->stage); }) == 0 ? live->text.c_str() : nullptr;
 }
 
-[[noreturn]] void refuse_name(const char* what) {
-    throw lod::Error(lod::ErrorKind::usage, std::string("a stage has no ") + what);
-}
-
 double whole(double value) {
     if (!(std::abs(value) < largest_whole) || value != std::floor(value))
         throw lod::Error(lod::ErrorKind::usage, "this must be a whole number");
@@ -59,16 +58,10 @@ void set(live::Stage& stage, const std::string& what, double value) {
                                 : stage.set_budget(static_cast<std::uint64_t>(value));
     if (what == "pair_cost") return stage.set_pair_cost(value);
     if (what == "restitution") return stage.set_restitution(value);
-    refuse_name(what.c_str());
-}
-
-void choose(live::Stage& stage, const std::string& what, const char* name) {
-    if (what == "policy") return stage.set_policy(lod::chosen<lod::Priority>(name, "policy"));
-    if (what == "contact_model")
-        return stage.set_contact_model(lod::chosen<lod::ContactModel>(name, "contact model"));
-    if (what == "response") return stage.set_response(lod::chosen<lod::Response>(name, "response"));
-    if (what == "shown") return stage.show(lod::chosen<live::Shown>(name, "kind of nodes shown"));
-    refuse_name(what.c_str());
+    if (what == "event")
+        return stage.look_inside(whole(value) < 0 ? std::nullopt
+                                                  : std::optional(static_cast<std::size_t>(value)));
+    throw lod::Error(lod::ErrorKind::usage, "a stage has no " + what);
 }
 
 /// A stage, or null where its scene is refused.
@@ -89,6 +82,10 @@ lodlab_live* lodlab_live_draw(const char* outlines) {
     return opened([&] { return live::scene_of_outlines(outlines); });
 }
 
+const char* lodlab_live_sources() {
+    return live::sources();
+}
+
 void lodlab_live_close(lodlab_live* live) {
     delete live;
 }
@@ -105,6 +102,10 @@ const char* lodlab_live_figure(lodlab_live* live) {
 
 const char* lodlab_live_state(lodlab_live* live) {
     return told(live, live::report);
+}
+
+const char* lodlab_live_events(lodlab_live* live) {
+    return told(live, live::events_report);
 }
 
 int lodlab_live_step(lodlab_live* live, int frames) {
@@ -132,5 +133,5 @@ int lodlab_live_set(lodlab_live* live, const char* what, double value) {
 }
 
 int lodlab_live_choose(lodlab_live* live, const char* what, const char* name) {
-    return tried([&] { choose(live->stage, what, name); });
+    return tried([&] { live::stage_choice(what).choose(live->stage, name); });
 }

@@ -23,16 +23,21 @@ const char* lodlab_live_error(void);
 const char* lodlab_live_figure(lodlab_live* live);
 const char* lodlab_live_state(lodlab_live* live);
 
+/* What the next frame does, event by event, as JSON (live/picture.hpp). Null on failure. */
+const char* lodlab_live_events(lodlab_live* live);
+/* Of which sources this is made (live/sources.hpp). */
+const char* lodlab_live_sources(void);
+
 /* These give 0, or -1 where the call is refused, which changes nothing. */
 int lodlab_live_step(lodlab_live* live, int frames);
 int lodlab_live_reset(lodlab_live* live);
 int lodlab_live_place(lodlab_live* live, int body, double x, double y, double angle);
 int lodlab_live_move(lodlab_live* live, int body, double x, double y, double spin);
 int lodlab_live_fixate(lodlab_live* live, double x, double y);
-/* "level", "budget" (below 0: none), "pair_cost", "restitution". */
+/* "level", "budget" (below 0: none), "pair_cost", "restitution"; "event": the figure is that of the
+ * next frame as of that event, from 0 (below 0: of the stage as it stands). */
 int lodlab_live_set(lodlab_live* live, const char* what, double value);
-/* "policy", "contact_model", "response", by their words in scene files; "shown": "near", "circles",
- * "hulls". */
+/* What live/choices.hpp lists, by its words. */
 int lodlab_live_choose(lodlab_live* live, const char* what, const char* name);
 
 #ifdef __cplusplus

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lodlab/core/base/lists.hpp"
+#include "lodlab/live/parts.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
 #include "lodlab/viz/draw/draw_traversal.hpp"
 #include "lodlab/viz/figure/number_text.hpp"
@@ -10,12 +11,11 @@
 namespace live {
 namespace {
 
+using namespace detail;
+
 constexpr std::size_t few_bodies = 4;     ///< are named, and their velocities told
 constexpr std::size_t most_lines = 48;    ///< between meeting nodes of a pair
-constexpr std::size_t told_impulses = 4;  ///< have their value beside them
-constexpr double normal_length = 0.06;    ///< of the view's longer side
-constexpr double longest_impulse = 0.16;  ///< the same
-constexpr double longest_velocity = 0.1;  ///< the same
+constexpr double longest_velocity = 0.1;  ///< of the view's longer side
 
 std::size_t moving_bodies(const Stage& stage) {
     const auto bodies = stage.bodies();
@@ -27,22 +27,6 @@ std::size_t moving_bodies(const Stage& stage) {
 /// Whether a scene asks about one circle a body, and no more.
 bool asks_circles_alone(const Stage& stage) {
     return stage.scene().told == Told::verdicts && stage.scene().settings.deepest_level == 0;
-}
-
-/// Of nodes that were tested: their body's ink where they are all that there is to see.
-viz::Role tested_role(const Stage& stage) {
-    return asks_circles_alone(stage) ? viz::Role::level_node : viz::Role::node;
-}
-
-/// A line for each pair of nodes that meet, from centre to centre.
-void add_lines(viz::Panel& panel, const lod::Body<2>& a, const lod::Body<2>& b,
-               std::span<const lod::NodePair> pairs) {
-    if (a.tree->is_half_space() || b.tree->is_half_space() || pairs.size() > most_lines) return;
-    for (const lod::NodePair& pair : pairs)
-        viz::add_line<2>(
-            panel, {.role = viz::Role::construction},
-            std::array{viz::carried_node(a, pair.a).centre, viz::carried_node(b, pair.b).centre},
-            1);
 }
 
 /// The nodes of a pair's last level. Of many bodies only what meets: the rest would hide it.
@@ -148,6 +132,15 @@ void add_untested(viz::Panel& panel, const Stage& stage) {
                               static_cast<int>(i));
 }
 
+/// What a frame finds of the bodies as they stand, and the impulses of those before.
+void add_present(viz::Panel& panel, const Stage& stage, bool few) {
+    for (const NearPair& near : stage.pairs())
+        if (few || near.record.verdict != lod::Verdict::apart)
+            add_pair(panel, stage, near, few && stage.shown() == Shown::near);
+    if (few && stage.pairs().empty() && stage.shown() == Shown::near) add_untested(panel, stage);
+    if (stage.scene().told == Told::answers) add_answers(panel, stage);
+}
+
 viz::Panel panel_of(const Stage& stage) {
     viz::Panel panel;
     panel.view = stage.scene().view;
@@ -156,11 +149,10 @@ viz::Panel panel_of(const Stage& stage) {
         viz::add_body<2>(panel, stage.actor(i), static_cast<int>(i));
     for (std::size_t i = 0; i < stage.bodies().size() && stage.shown() != Shown::near; ++i)
         add_level(panel, stage, i);
-    for (const NearPair& near : stage.pairs())
-        if (few || near.record.verdict != lod::Verdict::apart)
-            add_pair(panel, stage, near, few && stage.shown() == Shown::near);
-    if (few && stage.pairs().empty() && stage.shown() == Shown::near) add_untested(panel, stage);
-    if (stage.scene().told == Told::answers) add_answers(panel, stage);
+    if (!stage.event())
+        add_present(panel, stage, few);
+    else
+        add_inside(panel, stage);
     if (few) add_body_names(panel, stage);
     add_fixation(panel, stage);
     return panel;
@@ -239,6 +231,24 @@ std::string finding(const Stage& stage) {
 
 }  // namespace
 
+namespace detail {
+
+viz::Role tested_role(const Stage& stage) {
+    return asks_circles_alone(stage) ? viz::Role::level_node : viz::Role::node;
+}
+
+void add_lines(viz::Panel& panel, const lod::Body<2>& a, const lod::Body<2>& b,
+               std::span<const lod::NodePair> pairs, double opacity) {
+    if (a.tree->is_half_space() || b.tree->is_half_space() || pairs.size() > most_lines) return;
+    for (const lod::NodePair& pair : pairs)
+        viz::add_line<2>(
+            panel, {.role = viz::Role::construction, .opacity = opacity},
+            std::array{viz::carried_node(a, pair.a).centre, viz::carried_node(b, pair.b).centre},
+            1);
+}
+
+}  // namespace detail
+
 viz::Figure picture(const Stage& stage) {
     const Scene& scene = stage.scene();
     viz::Figure figure;
@@ -247,7 +257,7 @@ viz::Figure picture(const Stage& stage) {
         {"time", viz::fixed_text(stage.time(), 2) + "\u00A0s"},
         {"node tests", viz::number_text(static_cast<double>(stage.record().tests), 9)},
         {"contacts", viz::number_text(static_cast<double>(stage.record().impacts.size()), 9)}};
-    figure.caption = finding(stage);
+    figure.caption = stage.event() ? inside_finding(stage) : finding(stage);
     figure.alt = viz::plain_text(figure.title) + ", " +
                  viz::count_text(static_cast<long long>(stage.bodies().size()), "body") +
                  " after " + viz::fixed_text(stage.time(), 2) + " s. " +

@@ -99,6 +99,7 @@ std::string report(const Stage& stage) {
               {"tests", record.tests},
               {"dropped", dropped_tests(stage)},
               {"by_level", tests_by_level(stage)},
+              {"event", stage.event() ? Json(*stage.event()) : Json()},
               {"budget", scene.budget ? Json(*scene.budget) : Json()},
               {"reserved", scene.pair_cost * static_cast<double>(record.node_pairs.size())},
               {"left", record.spending.tests_left ? Json(*record.spending.tests_left) : Json()},
@@ -115,6 +116,20 @@ std::string report(const Stage& stage) {
     for (std::size_t i = 0; i < stage.bodies().size(); ++i)
         json["bodies"].push_back(body_json(stage.actor(i)));
     return json.dump();
+}
+
+std::string events_report(Stage& stage) {
+    const std::vector<std::string> names = stage.names();
+    Json events = Json::array();
+    for (const scenes::Event<2>& event : stage.apart().events)
+        events.push_back({{"name", scenes::event_name(event)},
+                          {"kind", lod::name_of(event.kind)},
+                          {"a", event.a},
+                          {"b", event.b},
+                          {"pair", names[lod::at(event.a)] + " and " + names[lod::at(event.b)]},
+                          {"short", scenes::sentence<2>(event, names, scenes::Places::left_out)},
+                          {"sentence", scenes::sentence<2>(event, names)}});
+    return Json{{"events", std::move(events)}}.dump();
 }
 
 }  // namespace live

@@ -7,6 +7,7 @@
 #include "lodlab/core/base/lists.hpp"
 #include "lodlab/core/exact/exact_shape.hpp"
 #include "lodlab/core/frame/state_hash.hpp"
+#include "lodlab/viz/draw/draw_scene.hpp"
 
 namespace live {
 namespace {
@@ -77,6 +78,8 @@ void Stage::reset() {
 }
 
 void Stage::look() {
+    apart_.reset();
+    event_.reset();
     lod::Budget budget = this->budget();
     looking_.scheduler.trade = running_.scheduler.trade;
     const lod::FrameRecord<2>& record = lod::detect<2>(bodies_, scene_.settings, budget, looking_);
@@ -90,6 +93,40 @@ void Stage::look() {
         if (pair.verdict != lod::Verdict::apart && gaps++ < most_gaps) near.gap = gap_of(a, b);
         pairs_.push_back(std::move(near));
     }
+}
+
+const FrameApart& Stage::apart() {
+    if (apart_) return *apart_;
+    FrameApart apart;
+    std::vector<lod::Body<2>> bodies = bodies_;
+    apart.step.before = scenes::states_of<2>(bodies_);
+    lod::FrameStorage<2> storage;
+    storage.scheduler.trade = running_.scheduler.trade;
+    lod::Budget budget = this->budget();
+    apart.step.record = lod::advance<2>(bodies, scene_.settings, budget, storage);
+    apart.step.state_hash = lod::state_hash<2>(bodies);
+    apart.events = scenes::events_of<2>(apart.step, bodies_, scene_.settings);
+    if (scene_.told == Told::verdicts)
+        std::erase_if(apart.events, [](const scenes::Event<2>& event) {
+            return event.kind > scenes::EventKind::exact;
+        });
+    apart_ = std::move(apart);
+    return *apart_;
+}
+
+void Stage::look_inside(std::optional<std::size_t> event) {
+    if (event && *event >= apart().events.size())
+        refuse("this frame has " + scenes::kinds_text<2>(apart().events) +
+               ", and nothing of the number " + std::to_string(*event));
+    event_ = event;
+}
+
+std::vector<std::string> Stage::names() const {
+    std::vector<viz::Visual<2>> visuals;
+    for (const viz::Actor<2>& actor : scene_.actors) visuals.push_back(actor.visual);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < visuals.size(); ++i) names.push_back(viz::shown_name(visuals, i));
+    return names;
 }
 
 lod::Body<2>& Stage::body_at(std::size_t body) {
@@ -139,6 +176,7 @@ void Stage::set_restitution(double restitution) {
     if (!(restitution >= 0 && restitution <= 1)) refuse("a restitution is within 0 to 1");
     for (viz::Actor<2>& actor : scene_.actors) actor.body.restitution = restitution;
     for (lod::Body<2>& body : bodies_) body.restitution = restitution;
+    look();
 }
 
 void Stage::set_policy(lod::Priority priority) {
@@ -153,6 +191,7 @@ void Stage::set_contact_model(lod::ContactModel model) {
 
 void Stage::set_response(lod::Response response) {
     scene_.settings.response = response;
+    look();
 }
 
 void Stage::set_fixation(const lod::Vector<2>& point) {

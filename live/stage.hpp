@@ -4,10 +4,12 @@
 /// A scene that a reader plays with: drags, turns, runs, and sets anew while it runs.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "lodlab/live/scene.hpp"
+#include "lodlab/scenes/trace/events.hpp"
 
 namespace live {
 
@@ -38,6 +40,12 @@ struct NearPair {
     double stands_out = 0;  ///< how far both bodies' nodes stand out at that level, by estimate [m]
 };
 
+/// The frame that would come next, taken apart.
+struct FrameApart {
+    scenes::Step<2> step;
+    std::vector<scenes::Event<2>> events;  ///< those that Scene::told goes as far as
+};
+
 /// Holds a scene, its bodies as they stand now, and what a frame finds of them there. The same
 /// calls give the same bits on every machine.
 class Stage {
@@ -65,6 +73,20 @@ class Stage {
     [[nodiscard]] double time() const;
     /// Of the bodies as they stand.
     [[nodiscard]] std::uint64_t state_hash() const;
+
+    /// What the next frame does to the bodies as they stand, event by event. Kept until something
+    /// changes; moves nothing.
+    [[nodiscard]] const FrameApart& apart();
+    /// Pictures show that frame as of one of its events, from 0; nothing: the stage as it stands.
+    /// Whatever changes the stage leaves that frame. Throws lod::Error (usage) for an event that is
+    /// not there.
+    void look_inside(std::optional<std::size_t> event);
+    /// The event that pictures stand at.
+    [[nodiscard]] std::optional<std::size_t> event() const { return event_; }
+    /// The frame that is taken apart. Requires: event().
+    [[nodiscard]] const FrameApart& inside() const { return *apart_; }
+    /// What sentences call the bodies.
+    [[nodiscard]] std::vector<std::string> names() const;
 
     /// Runs so many frames. Throws lod::Error as lod::advance does.
     void step(int frames = 1);
@@ -101,6 +123,8 @@ class Stage {
     lod::FrameStorage<2> looking_;  ///< apart, so that looking changes nothing that frames remember
     std::vector<NearPair> pairs_;
     std::vector<Hit> hits_;
+    std::optional<FrameApart> apart_;
+    std::optional<std::size_t> event_;
 };
 
 }  // namespace live

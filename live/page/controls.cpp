@@ -5,18 +5,20 @@
 #include <string>
 
 #include "lodlab/core/base/error.hpp"
-#include "lodlab/live/stage.hpp"
+#include "lodlab/live/choices.hpp"
 
 namespace live {
 namespace {
 
 void check_choice(const std::string& control, const std::string& word) {
-    if (control == "policy") return (void)lod::chosen<lod::Priority>(word, control);
-    if (control == "contact_model") return (void)lod::chosen<lod::ContactModel>(word, control);
-    if (control == "response") return (void)lod::chosen<lod::Response>(word, control);
-    if (control == "shown") return (void)lod::chosen<Shown>(word, control);
-    throw lod::Error(lod::ErrorKind::usage,
-                     "the control " + control + " offers no choice '" + word + "'");
+    const auto choices = stage_choices();
+    const auto choice = std::find_if(choices.begin(), choices.end(),
+                                     [&](const StageChoice& one) { return one.name == control; });
+    if (choice == choices.end())
+        throw lod::Error(lod::ErrorKind::usage,
+                         "the control " + control + " offers no choice '" + word + "'");
+    if (std::find(choice->words.begin(), choice->words.end(), word) == choice->words.end())
+        lod::refuse_choice(control, word, choice->words);
 }
 
 }  // namespace

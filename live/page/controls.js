@@ -37,6 +37,10 @@ const lodlabControls = (() => {
     pairs: '<div class="scrolls" tabindex="0" role="region" aria-label="Pairs that are near"><table class="pairs"><thead><tr><th scope="col">pair</th>' +
       '<th scope="col">level</th><th scope="col">collision</th><th scope="col" class="of-answers">contacts</th><th scope="col" class="of-answers">true gap</th>' +
       '<th scope="col" class="of-answers">stands out</th></tr></thead><tbody></tbody></table></div>',
+    inside: '<section class="part inside" aria-label="Inside this frame"><p class="inside-head"><span>Inside this frame</span> <span class="count"></span></p>' +
+      '<div class="stepper" role="group" aria-label="Events of the frame">' +
+      ["first", "back", "next", "last", "leave"].map((way) => `<button type="button" class="go-${way}">${way[0].toUpperCase()}${way.slice(1)}</button>`).join("") +
+      '</div><p class="now"></p><div class="events" hidden></div></section>',
     state: '<p class="quiet"><span class="frames"></span>, state <code class="hash"></code>.</p>',
     save: '<p class="quiet saves"><button type="button" class="save-svg">Save SVG</button> <button type="button" class="save-png">Save PNG</button></p>',
   };
@@ -64,7 +68,7 @@ const lodlabControls = (() => {
     place.insertAdjacentHTML("beforeend",
       within('<section class="part" aria-label="Response">', some("equation", "restitution", "policy", "contact_model", "response"), "</section>") +
       (isWhole ? `<details><summary>Pairs that are near</summary>${table}<p class="quiet">The true gap is what a contact at a coarse level gets wrong; how far the circles of both bodies stand out at their level is an estimate of how wrong it can be.</p></details>` : within('<section class="part" aria-label="Pairs">', table, "</section>")) +
-      `<p class="quiet hint">${dots}</p>` + some("state", "save"));
+      part("inside") + `<p class="quiet hint">${dots}</p>` + some("state", "save"));
   };
 
   return { put, names: Object.keys(parts) };

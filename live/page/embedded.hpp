@@ -11,6 +11,9 @@ namespace live::embedded {
 [[nodiscard]] std::string_view live_css();
 [[nodiscard]] std::string_view figure_js();
 [[nodiscard]] std::string_view controls_js();
+[[nodiscard]] std::string_view numbers_js();
+[[nodiscard]] std::string_view handles_js();
+[[nodiscard]] std::string_view inside_js();
 [[nodiscard]] std::string_view live_js();
 [[nodiscard]] std::string_view playground_js();
 /// Empty where there was none.

@@ -86,6 +86,9 @@ const lodlabFigure = (() => {
     return null;
   };
 
+  // Names before impulses before speeds: where there is no room, the last are left out.
+  const rank = (mark) => (mark.mark === "label" ? 0 : mark.role === "velocity" ? 2 : 1);
+
   const overlap = (a, b) =>
     Math.max(0, Math.min(a.right, b.right) - Math.max(a.left, b.left)) *
     Math.max(0, Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top));
@@ -162,7 +165,7 @@ const lodlabFigure = (() => {
     }
 
     drawWords(marks) {
-      const worded = marks.filter((mark) => mark.mark === "label" || mark.label);
+      const worded = marks.filter((mark) => mark.mark === "label" || mark.label).sort((a, b) => rank(a) - rank(b));
       const taken = worded.length > 0 && marks.length < 400 ? this.obstacles(marks) : [];
       let next = this.words.firstChild;
       for (const mark of worded) {
@@ -179,7 +182,8 @@ const lodlabFigure = (() => {
       while (next) next = this.drop(next);
     }
 
-    // The first place round the anchor that is free and within the picture; else the best one there is.
+    // The first place round the anchor, near or further away, that is free and within the picture; else the best one there
+    // is, of a name wherever it is, of an arrow's words where next to nothing is covered.
     place(words, taken) {
       this.pen.font = `600 ${this.size}px ${this.font.fontFamily}`;
       const width = this.pen.measureText(words.text).width;
@@ -187,10 +191,11 @@ const lodlabFigure = (() => {
       const [x, y] = words.at;
       const known = this.ways.get(words.text);
       const outward = words.way ?? Math.atan2(y - this.height / 2, x - this.width / 2);
+      const spots = [9, 9 + 1.4 * height].flatMap((gap) => [0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1].map((turn) => [gap, turn]));
       let best = null;
-      for (const turn of [0, 0.5, -0.5, 1, -1, 1.6, -1.6, 2.3, -2.3, 3.1]) {
+      for (const [gap, turn] of spots) {
         const way = (turn === 0 && known !== undefined && words.way === undefined ? known : outward + turn);
-        const reach = words.away + 9;
+        const reach = words.away + gap;
         const middle = [x + Math.cos(way) * (reach + width / 2), y + Math.sin(way) * (reach + height / 2)];
         const box = { left: middle[0] - width / 2, right: middle[0] + width / 2, top: middle[1] - height / 2, bottom: middle[1] + height / 2 };
         const outside = width * height - overlap(box, { left: 2, top: 2, right: this.width - 2, bottom: this.height - 2 });
@@ -199,7 +204,7 @@ const lodlabFigure = (() => {
         if (cost < 1) break;
       }
       this.ways.set(words.text, best.way);
-      return best.cost < 0.5 * width * height ? best : null;
+      return best.cost < (words.way === undefined ? 0.5 : 0.04) * width * height ? best : null;
     }
   }
 

@@ -3,12 +3,8 @@
 "use strict";
 
 const lodlabLive = (() => {
-  const { Drawing, make, set } = lodlabFigure;
+  const { Drawing, make } = lodlabFigure;
   const mostSteps = 24; // frames of the scene between two of the screen
-  const inMetres = (length) =>
-    length >= 0.1 ? `${length.toPrecision(2)} m` : length >= 0.001 ? `${(100 * length).toPrecision(2)} cm` : `${(1000 * length).toPrecision(2)} mm`;
-  const whole = (number) => Math.round(number).toLocaleString("en").replaceAll(",", "\u2009");
-  const counted = (count, noun) => `${whole(count)} ${noun}${count === 1 ? "" : "s"}`;
 
   // The functions of the module, under the names of live/module.hpp.
   const callsOf = (module) => {
@@ -29,6 +25,8 @@ const lodlabLive = (() => {
       error: wrap("error", "string", []),
       figure: wrap("figure", "string", ["number"]),
       state: wrap("state", "string", ["number"]),
+      events: wrap("events", "string", ["number"]),
+      sources: () => (module._lodlab_live_sources ? module.cwrap("lodlab_live_sources", "string", [])() : ""),
       step: wrap("step", "number", ["number", "number"]),
       reset: wrap("reset", "number", ["number"]),
       place: wrap("place", "number", ["number", "number", "number", "number", "number"]),
@@ -55,8 +53,18 @@ const lodlabLive = (() => {
       this.handles = make("g", { class: "handles" }, this.svg);
       this.addControls();
       this.addHandles();
+      this.addInside();
+      if (this.calls.sources() !== lodlabSources) this.tellStale();
       new ResizeObserver(() => { this.drawing.resize(); this.show(); }).observe(this.svg);
       this.show();
+    }
+
+    // The module was made by another build.
+    tellStale() {
+      const words = document.createElement("p");
+      words.className = "quiet stale";
+      words.textContent = "What runs here was made of other sources than this page: scripts/wasm makes it anew; then build lodlab again.";
+      this.find(".controls").append(words);
     }
 
     find(selector) { return this.root.querySelector(selector); }
@@ -216,94 +224,6 @@ const lodlabLive = (() => {
       setTimeout(() => URL.revokeObjectURL(link.href), 10000);
     }
 
-    // --- bodies that are dragged and turned
-
-    addHandles() {
-      this.bodies = this.state.bodies.map((body, number) => {
-        if (body.fixed) return null;
-        const handle = make("circle", {
-          class: "handle", tabindex: 0, role: "button",
-          "aria-label": `${body.name}: arrow keys move it, comma and full stop turn it`,
-        }, this.handles);
-        handle.addEventListener("pointerdown", (event) => this.grip(event, number, "move"));
-        // Browsers scroll by a finger on a part of an SVG whatever its touch-action says.
-        handle.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
-        handle.addEventListener("keydown", (event) => this.key(event, number));
-        handle.addEventListener("focus", () => { this.selected = number; this.showHandles(); });
-        return handle;
-      });
-      this.turner = make("circle", { class: "turner", r: 9 }, this.handles);
-      this.arm = make("path", { class: "arm" }, this.handles);
-      this.handles.prepend(this.arm);
-      this.turner.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
-      this.turner.addEventListener("pointerdown", (event) => this.grip(event, this.selected, "turn"));
-      this.eye = make("circle", { class: "handle eye", r: 22, tabindex: 0, role: "button", "aria-label": "The point looked at: arrow keys move it" }, this.handles);
-      this.eye.addEventListener("pointerdown", (event) => this.grip(event, -1, "look"));
-      this.eye.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
-      this.eye.addEventListener("keydown", (event) => this.key(event, -1));
-      this.fixation = this.scene.fixation.slice(0, 2);
-    }
-
-    pointer(event) {
-      const box = this.svg.getBoundingClientRect();
-      return this.drawing.map.from([event.clientX - box.left, event.clientY - box.top]);
-    }
-
-    grip(event, number, how) {
-      event.preventDefault();
-      const target = event.currentTarget;
-      target.focus?.();
-      target.setPointerCapture(event.pointerId);
-      if (number >= 0) this.selected = number;
-      const body = this.state.bodies[number] ?? { x: this.fixation[0], y: this.fixation[1], angle: 0 };
-      const from = this.pointer(event);
-      const begin = { x: body.x, y: body.y, angle: body.angle };
-      const first = Math.atan2(from[1] - body.y, from[0] - body.x);
-      this.held = true;
-      const follow = (later) => {
-        const [x, y] = this.pointer(later);
-        if (how === "look") this.lookAt([begin.x + x - from[0], begin.y + y - from[1]]);
-        else if (how === "move") this.place(number, begin.x + x - from[0], begin.y + y - from[1], begin.angle);
-        else this.place(number, begin.x, begin.y, begin.angle + Math.atan2(y - begin.y, x - begin.x) - first);
-      };
-      const release = () => {
-        this.held = false;
-        target.removeEventListener("pointermove", follow);
-        this.say();
-      };
-      target.addEventListener("pointermove", follow);
-      target.addEventListener("pointerup", release, { once: true });
-      target.addEventListener("pointercancel", release, { once: true });
-    }
-
-    key(event, number) {
-      if (event.ctrlKey || event.altKey || event.metaKey) return;
-      const [lowX, , highX] = this.scene.view;
-      const stride = (event.shiftKey ? 0.001 : 0.01) * (highX - lowX);
-      const ways = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-      const turns = { ",": 1, ".": -1, "<": 0.1, ">": -0.1 };
-      const way = ways[event.key];
-      const turn = turns[event.key];
-      if (!way && !(turn && number >= 0)) return;
-      event.preventDefault();
-      const [a, b] = way ?? [0, 0];
-      if (number < 0) this.lookAt([this.fixation[0] + stride * a, this.fixation[1] + stride * b]);
-      else {
-        const body = this.state.bodies[number];
-        this.place(number, body.x + stride * a, body.y + stride * b, body.angle + (turn ?? 0) * (Math.PI / 36));
-      }
-      this.say();
-    }
-
-    place(number, x, y, angle) {
-      if (this.told(this.calls.place(this.live, number, x, y, angle))) this.show();
-    }
-
-    lookAt(point) {
-      this.fixation = point;
-      if (this.told(this.calls.fixate(this.live, ...point))) this.show();
-    }
-
     // --- what is shown
 
     show() {
@@ -315,152 +235,12 @@ const lodlabLive = (() => {
       this.showHandles();
       this.showScaleBar();
       this.showNumbers();
-    }
-
-    showHandles() {
-      const { map } = this.drawing;
-      if (!map) return;
-      this.state.bodies.forEach((body, number) => {
-        if (!this.bodies[number]) return;
-        const [cx, cy] = map.at([body.x, body.y]);
-        const reach = Math.max(22, 0.75 * body.reach * map.scale);
-        set(this.bodies[number], { cx, cy, r: reach, class: number === this.selected ? "handle selected" : "handle" });
-      });
-      const body = this.state.bodies[this.selected];
-      set(this.turner, { visibility: body ? "visible" : "hidden" });
-      set(this.arm, { visibility: body ? "visible" : "hidden" });
-      if (body) {
-        const [x, y] = map.at([body.x, body.y]);
-        const reach = Math.max(22, 0.75 * body.reach * map.scale);
-        const far = Math.max(reach, body.reach * map.scale) + 18;
-        const [a, b] = [Math.cos(body.angle), -Math.sin(body.angle)];
-        set(this.turner, { cx: x + far * a, cy: y + far * b });
-        set(this.arm, { d: `M${x + reach * a} ${y + reach * b}L${x + (far - 9) * a} ${y + (far - 9) * b}` });
-      }
-      const looks = this.state.policy === "perceptual";
-      set(this.eye, { visibility: looks ? "visible" : "hidden" });
-      if (looks) {
-        const [cx, cy] = map.at(this.fixation);
-        set(this.eye, { cx, cy });
-      }
-    }
-
-    showScaleBar() {
-      const { map, height } = this.drawing;
-      if (this.barScale === map.scale && this.barHeight === height) return;
-      [this.barScale, this.barHeight] = [map.scale, height];
-      const wanted = 90 / map.scale;
-      const decade = 10 ** Math.floor(Math.log10(wanted));
-      const length = decade * (wanted >= 5 * decade ? 5 : wanted >= 2 * decade ? 2 : 1);
-      this.bar ??= make("path", { class: "bar" }, this.svg);
-      this.barWords ??= make("text", { class: "bar-words" }, this.svg);
-      const [x, y] = [14, height - 14];
-      set(this.bar, { d: `M${x} ${y - 5}V${y}H${x + length * map.scale}V${y - 5}` });
-      set(this.barWords, { x, y: y - 10 });
-      this.barWords.textContent = length >= 1 ? `${length} m` : length >= 0.01 ? `${Math.round(100 * length)} cm` : `${Math.round(1000 * length)} mm`;
+      this.showInside();
     }
 
     text(selector, words) {
       const element = this.find(selector);
       if (element && element.textContent !== words) element.textContent = words;
-    }
-
-    showNumbers() {
-      const { state } = this;
-      this.text(".finding", this.figure.caption);
-      this.text(".time", `${state.time.toFixed(2)} s`);
-      this.text(".frames", counted(state.frame, "frame"));
-      this.text(".contacts", whole(state.contacts));
-      this.text(".energy", `${state.energy.toPrecision(3)} J`);
-      this.text(".hash", state.hash);
-      this.text(".level-value", state.level >= state.levels - 1 ? "the leaves" : `level ${state.level}`);
-      this.text(".budget-value", state.budget === null ? "no limit" : counted(state.budget, "test"));
-      this.text(".restitution-value", Number(this.find(".restitution")?.value).toFixed(2));
-      this.text(".reserve-value", counted(Number(this.find(".reserve")?.value), "test"));
-      this.offer(".reserve-row", { hidden: state.budget === null });
-      this.showBudgetBar();
-      this.showLevels();
-      this.showEquation();
-      this.showPairs();
-    }
-
-    showBudgetBar() {
-      const { state } = this;
-      if (!this.find(".quota")) return;
-      this.find(".quota").style.visibility = state.budget === null ? "hidden" : "visible";
-      const whole_ = Math.max(1, state.budget ?? state.tests, state.tests + state.reserved);
-      this.find(".spent").style.width = `${(100 * (state.tests - state.dropped)) / whole_}%`;
-      this.find(".dropped").style.width = `${(100 * state.dropped) / whole_}%`;
-      this.find(".reserved").style.width = `${(100 * state.reserved) / whole_}%`;
-      let words = counted(state.tests, "node test");
-      if (state.budget !== null) words += ` of ${whole(state.budget)}`;
-      if (state.reserved > 0) words += `, ${whole(state.reserved)} reserved`;
-      if (state.dropped > 0) words += `, ${whole(state.dropped)} thrown away with unfinished levels`;
-      if (state.interrupted) words += ": the budget ended first";
-      this.text(".spending", words);
-    }
-
-    showLevels() {
-      const list = this.find(".levels");
-      if (!list) return;
-      const most = Math.max(1, ...this.state.by_level);
-      while (list.children.length < this.state.levels) {
-        const row = document.createElement("li");
-        row.innerHTML = '<span class="which"></span><span class="track"><span></span></span><span class="many"></span>';
-        list.append(row);
-      }
-      [...list.children].forEach((row, level) => {
-        const tests = this.state.by_level[level] ?? 0;
-        const [which, track, many] = row.children;
-        if (!which.textContent) which.textContent = `Level ${level}`;
-        track.firstChild.style.width = `${(100 * tests) / most}%`;
-        const words = whole(tests);
-        if (many.textContent !== words) many.textContent = words;
-      });
-    }
-
-    // Equation (1) at the deepest contact, term by term.
-    showEquation() {
-      const list = this.find(".equation");
-      if (!list) return;
-      const { contact } = this.state;
-      const digits = (number) => number.toFixed(3).replace("-", "\u2212");
-      const rows = contact === null ? [["No contact", ""]] : [
-        ["<var>v</var><sub>c</sub>", `${digits(contact.closing)} m/s`],
-        ["<var>K</var>", `${digits(contact.K)} 1/kg`],
-        ["<var>e</var>", contact.e.toFixed(2)],
-        ["<var>j</var> = \u2212(1 + <var>e</var>) <var>v</var><sub>c</sub> / <var>K</var>",
-          contact.closing >= 0 ? "0, they part" : `${digits(contact.j)} N s`],
-      ];
-      const html = rows.map(([told, value]) => `<div><dt>${told}</dt><dd>${value}</dd></div>`).join("");
-      if (this.equation === html) return;
-      this.equation = html;
-      list.innerHTML = html;
-    }
-
-    showPairs() {
-      const table = this.find(".pairs");
-      if (!table || table.closest("details")?.open === false) return;
-      const answers = this.scene.told !== "verdicts";
-      for (const head of table.querySelectorAll(".of-answers")) head.hidden = !answers;
-      const name = (number) => this.state.bodies[number].name;
-      const rows = this.state.pairs.slice(0, 12).map((pair) => [
-        `${name(pair.a)}, ${name(pair.b)}`, pair.level, pair.verdict,
-        ...(answers ? [
-          whole(pair.contacts),
-          pair.gap === null ? "" : pair.gap === 0 ? "none" : inMetres(pair.gap),
-          pair.verdict === "apart" ? "" : inMetres(pair.stands_out),
-        ] : []),
-      ]);
-      const body = table.tBodies[0];
-      while (body.rows.length > rows.length) body.deleteRow(-1);
-      rows.forEach((cells, i) => {
-        const row = body.rows[i] ?? body.insertRow();
-        cells.forEach((cell, k) => {
-          const place = row.cells[k] ?? row.insertCell();
-          if (place.textContent !== String(cell)) place.textContent = cell;
-        });
-      });
     }
 
     // To readers of the screen, once the reader is done changing something.
@@ -469,6 +249,8 @@ const lodlabLive = (() => {
       this.speech = setTimeout(() => { this.find(".spoken").textContent = this.figure.caption; }, 400);
     }
   }
+
+  Object.assign(Live.prototype, lodlabNumbers, lodlabHandles, lodlabInside);
 
   // Takes the place of the still picture in a root element; `controls`: see controls.js. Gives a promise of what plays.
   const mount = async (root, { scene, module, controls = "" }) => {

@@ -8,6 +8,7 @@
 #include "lodlab/live/outline.hpp"
 #include "lodlab/live/page/embedded.hpp"
 #include "lodlab/live/picture.hpp"
+#include "lodlab/live/sources.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/viz/paint/palette.hpp"
 #include "lodlab/viz/paint/write.hpp"
@@ -15,12 +16,14 @@
 namespace live {
 namespace {
 
-constexpr std::array drawn{
-    viz::Role::body,           viz::Role::wall,         viz::Role::ghost,
-    viz::Role::node,           viz::Role::level_node,   viz::Role::meeting_node,
-    viz::Role::true_collision, viz::Role::contact,      viz::Role::normal,
-    viz::Role::impulse,        viz::Role::velocity,     viz::Role::trajectory,
-    viz::Role::reference,      viz::Role::construction, viz::Role::note};
+constexpr std::array drawn{viz::Role::body,           viz::Role::wall,
+                           viz::Role::ghost,          viz::Role::node,
+                           viz::Role::level_node,     viz::Role::meeting_node,
+                           viz::Role::true_collision, viz::Role::dropped_node,
+                           viz::Role::contact,        viz::Role::normal,
+                           viz::Role::impulse,        viz::Role::velocity,
+                           viz::Role::trajectory,     viz::Role::reference,
+                           viz::Role::construction,   viz::Role::note};
 constexpr int body_inks = 3;
 
 constexpr const char* playground_controls = R"(<section class="part" aria-label="Shapes">
@@ -126,6 +129,16 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
     return text;
 }
 
+/// All that draws and plays a scene by the module.
+std::string script() {
+    std::string text = "const lodlabSources = \"" + std::string(sources()) + "\";\n";
+    for (const std::string_view part :
+         {embedded::figure_js(), embedded::controls_js(), embedded::numbers_js(),
+          embedded::handles_js(), embedded::inside_js(), embedded::live_js()})
+        text += part;
+    return text;
+}
+
 }  // namespace
 
 bool has_module() {
@@ -143,9 +156,7 @@ Component component() {
     check_module();
     Component parts;
     parts.style = std::string(embedded::live_css()) + inks();
-    for (const std::string_view script :
-         {embedded::figure_js(), embedded::controls_js(), embedded::live_js()})
-        parts.script += script;
+    parts.script = script();
     parts.module = embedded::module_js();
     return parts;
 }
@@ -168,9 +179,7 @@ std::string page_text(const Scene& scene, PageKind kind) {
          {"aspect", number(wide / high)},
          {"scene", within_script(scene_text(scene))},
          {"module", within_script(std::string(embedded::module_js()))},
-         {"figure", std::string(embedded::figure_js())},
-         {"controls", std::string(embedded::controls_js())},
-         {"live", std::string(embedded::live_js())},
+         {"live", script()},
          {"playground", is_playground ? playground_controls : ""},
          {"playground_script", is_playground ? std::string(embedded::playground_js()) : ""},
          {"script", std::string(embedded::page_js())}});

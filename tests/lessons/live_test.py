@@ -13,6 +13,7 @@ from browser_test import HOME, RIGHT, SKIPPED, Report, in_browser
 ROOT = "const root = document.querySelector('section.live'); const live = root.live; "
 READY = "return !!document.querySelector('section.live').live || document.querySelector('.live .trouble').textContent"
 SCRIPTS = "return [...document.scripts].filter(s => s.src.endsWith('/lodlab.js')).length"
+WITH_INSIDE = {"traversal", "interruption", "contact_and_impulse"}
 WITH_LIVE_PART = {"distance_test", "circle_tree", "traversal", "interruption", "contact_and_impulse",
                   "graceful_degradation", "scheduler", "beside_box2d", "too_early"}
 
@@ -94,12 +95,36 @@ def check_controls(browser, name, report):
         for value in browser.run(f"return [...document.querySelector('.live .{what}').options].map(o => o.value)"):
             browser.run(f"const s = document.querySelector('.live .{what}'); s.value = '{value}'; s.dispatchEvent(new Event('change'))")
             report.expect(f"{name}: {what}", state(browser)[what], value)
+    if has(browser, "inside"):
+        check_inside(browser, name, report)
     if has(browser, "equation"):
         browser.run(ROOT + "const [a, b] = live.state.bodies; live.place(1, a.x + 0.8, a.y, b.angle)")
         contact = state(browser)["contact"]
         report.expect(f"{name}: the equation holds", abs(contact["j"] + (1 + contact["e"]) * contact["closing"] / contact["K"]) < 1e-12
                       or contact["closing"] >= 0, True)
         report.expect(f"{name}: the equation is told", browser.run("return document.querySelectorAll('.equation dd').length"), 4)
+
+
+def check_inside(browser, name, report):
+    """Event by event through the frame, by keys; the page's own steps stay where they are."""
+    browser.run("for (const what of ['level', 'budget']) { const s = document.querySelector(`.live .${what}`);"
+                "if (s) { s.value = s.max; s.dispatchEvent(new Event('input')); } }")
+    browser.run(ROOT + "const [a, b] = live.state.bodies; live.place(1, a.x + 0.8, a.y, b.angle)")
+    browser.run("document.querySelector('.live .go-next').focus()")
+    browser.press(RIGHT)
+    events = browser.run(ROOT + "return live.events")
+    report.expect(f"{name}: inside, levels first", [event["kind"] for event in events[:2]], ["level", "level"])
+    for number in range(1, min(len(events), 8)):
+        browser.press(RIGHT)
+        report.expect(f"{name}: inside, event {number}", state(browser)["event"], number)
+        report.expect(f"{name}: inside, its sentence", browser.run("return document.querySelector('.live .finding').textContent"),
+                      f"Event {number + 1} of {len(events)}: {events[number]['short']}.")
+    browser.press(HOME)
+    report.expect(f"{name}: inside, the first", state(browser)["event"], 0)
+    report.expect(f"{name}: the lesson's step is kept", browser.run("return document.querySelector('article.step:not(.away)').id"), "step-1")
+    browser.run("document.querySelector('.live .go-leave').click()")
+    report.expect(f"{name}: inside, left", state(browser)["event"], None)
+    browser.run("document.querySelector('.live .reset').click()")
 
 
 def check_eye(browser, report):
@@ -143,6 +168,7 @@ def check(browser, book, played):
             continue
         check_bits(browser, name, played, report)
         check_drag(browser, name, report)
+        report.expect(f"{name}: inside is offered", has(browser, "inside"), name in WITH_INSIDE)
         check_controls(browser, name, report)
         if name == "scheduler":
             check_eye(browser, report)

@@ -9,12 +9,14 @@
 
 #include "lessons/engine/lessons.hpp"
 #include "lodlab/io/files/output_file.hpp"
+#include "lodlab/live/sources.hpp"
 #include "tests/live/played.hpp"
 
 int main(int count, char** arguments) {
     if (count != 2) return 2;
     const std::filesystem::path folder = arguments[1];
     std::filesystem::create_directories(folder);
+    lod::write_text_file(folder / "sources", live::sources());
     try {
         for (const lessons::Entry& entry : lessons::list()) {
             const lessons::Lesson lesson = lessons::run(entry.number);

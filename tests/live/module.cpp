@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lodlab/live/picture.hpp"
+#include "lodlab/live/sources.hpp"
 #include "lodlab/viz/figure/json.hpp"
 #include "tests/catch.hpp"
 #include "tests/live/sample.hpp"
@@ -41,12 +42,26 @@ TEST_CASE("the calls of C do what the stage does") {
     stage.set_response(lod::Response::mean);
     stage.set_fixation({0.5, 0.5});
     same();
+    CHECK(lodlab_live_events(opened) == live::events_report(stage));
+    CHECK(lodlab_live_set(opened, "event", 1) == 0);
+    stage.look_inside(1);
+    same();
+    CHECK(lodlab_live_set(opened, "event", -1) == 0);
+    stage.look_inside({});
+    same();
     CHECK(lodlab_live_set(opened, "budget", -1) == 0);
     stage.set_budget({});
     CHECK(lodlab_live_reset(opened) == 0);
     stage.reset();
     same();
     lodlab_live_close(opened);
+}
+
+TEST_CASE("the module says of which sources it was made") {
+    const std::string sources = lodlab_live_sources();
+    CHECK(sources.size() == 64);
+    CHECK(sources.find_first_not_of("0123456789abcdef") == std::string::npos);
+    CHECK(sources == live::sources());
 }
 
 TEST_CASE("a call of C that is refused says why and changes nothing") {
@@ -66,6 +81,7 @@ TEST_CASE("a call of C that is refused says why and changes nothing") {
     refused(lodlab_live_set(opened, "level", 1.5));
     refused(lodlab_live_set(opened, "budget", std::nan("")));
     refused(lodlab_live_set(opened, "colour", 1));
+    refused(lodlab_live_set(opened, "event", 1e9));
     refused(lodlab_live_choose(opened, "policy", "loudest"));
     refused(lodlab_live_choose(opened, "colour", "red"));
     refused(lodlab_live_step(opened, -3));

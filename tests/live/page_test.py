@@ -133,11 +133,60 @@ def check_sliders(page, report):
     report.expect("restitution: said", page.text(".restitution-value"), "0.00")
 
 
+def check_inside(page, report):
+    """Forwards, backwards, to an event by its line; by buttons and by keys; the bodies stand still."""
+    browser = page.browser
+    page.browser.run(LIVE + "const [a, b] = live.state.bodies; live.place(0, b.x - 0.3, b.y, a.angle)")
+    before, shapes = page.state(), page.shapes()
+    report.expect("inside: not yet", before["event"], None)
+    report.expect("inside: no list yet", browser.run("return document.querySelector('.events').hidden"), True)
+    page.click(".go-next")
+    report.expect("inside: next begins", page.state()["event"], 0)
+    report.expect("inside: the picture follows", page.shapes() != shapes, True)
+    events = browser.run(LIVE + "return live.events")
+    report.expect("inside: kinds in their order", [e["kind"] for e in events][0], "level")
+    report.expect("inside: the sentence", page.text(".inside .now"), events[0]["sentence"][0].upper() + events[0]["sentence"][1:] + ".")
+    report.expect("inside: the finding", page.text(".finding").startswith("Event 1 of "), True)
+    page.click(".go-last")
+    report.expect("inside: last", page.state()["event"], len(events) - 1)
+    page.click(".go-next")
+    report.expect("inside: no further", page.state()["event"], len(events) - 1)
+    page.focus(".go-next")
+    for key, event in ((LEFT, len(events) - 2), (RIGHT, len(events) - 1), (HOME, 0), (LEFT, 0), (RIGHT, 1)):
+        browser.press(key)
+        report.expect("inside: by key", page.state()["event"], event)
+    report.expect("inside: the focus stays", browser.run("return document.activeElement.className"), "go-next")
+    contact = next(i for i, e in enumerate(events) if e["kind"] == "contact")
+    browser.run("for (const d of document.querySelectorAll('.events details')) d.open = true")
+    time.sleep(0.1)
+    page.click(f"[data-event=\"{contact}\"]")
+    report.expect("inside: by its line", page.state()["event"], contact)
+    report.expect("inside: the line is marked", browser.run("return document.querySelector('.events [aria-current]').dataset.event"), str(contact))
+    report.expect("inside: a contact is drawn", browser.run("return !!document.querySelector('.marks .normal')"), True)
+    report.expect("inside: no impulse yet", browser.run("return !!document.querySelector('.marks .impulse')"), False)
+    report.expect("inside: every event has a line", browser.run("return document.querySelectorAll('[data-event]').length"), len(events))
+    report.expect("inside: nothing moves", page.state()["hash"], before["hash"])
+    page.click(".go-leave")
+    report.expect("inside: left", (page.state()["event"], page.shapes() == shapes), (None, True))
+    page.click(".go-next")
+    page.click(".step")
+    report.expect("inside: a step leaves", page.state()["event"], None)
+    page.click(".go-next")
+    x, y, _ = page.place_of(0)
+    page.drag((x, y), (20, 20))
+    report.expect("inside: a drag leaves", page.state()["event"], None)
+    browser.run(LIVE + "live.place(0, -50, 0, 0)")
+    page.click(".go-next")
+    report.expect("inside: nothing happens", page.text(".inside .now").startswith("Nothing happens"), True)
+    page.click(".reset")
+
+
 def check_layout(page, report, width, height):
     browser = page.browser
     browser.measure(width, height)
     browser.open(page.path)
     time.sleep(0.5)
+    page.click(".go-last")
     at = f"{width}x{height}"
     report.expect(f"{at}: no sideways scrolling", browser.run(
         "return document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
@@ -177,6 +226,7 @@ def check(lodlab, folder, browser):
     check_play(page, report)
     check_drag(page, report)
     check_sliders(page, report)
+    check_inside(page, report)
     for width, height in ((1280, 800), (1000, 700), (390, 844), (320, 600)):
         check_layout(page, report, width, height)
     report.expect("complaints", browser.complaints(), [])

@@ -11,6 +11,7 @@
 
 #include "lodlab/core/base/error.hpp"
 #include "lodlab/io/files/output_file.hpp"
+#include "lodlab/live/sources.hpp"
 #include "lodlab/live/take.hpp"
 #include "lodlab/scenes/places.hpp"
 #include "tests/live/played.hpp"
@@ -30,6 +31,7 @@ int main(int count, char** arguments) {
     if (count != 2) return 2;
     const std::filesystem::path folder = arguments[1];
     std::filesystem::create_directories(folder);
+    lod::write_text_file(folder / "sources", live::sources());
     for (const std::string& name : scenes::names()) {
         if (scenes::load_scene(scenes::scene_file(name)).dim != 2) continue;
         try {

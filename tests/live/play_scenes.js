@@ -38,7 +38,17 @@ const play = (module, scene) => {
     const hash = crypto.createHash("sha256").update(figure(live)).digest("hex");
     lines += `${JSON.parse(state(live)).hash} ${hash}\n`;
   };
-  const turn = (frames) => { need(step(live, frames)); tell(); };
+  const sha256 = (text) => crypto.createHash("sha256").update(text).digest("hex");
+  const turn = (frames) => {
+    need(step(live, frames));
+    tell();
+    lines += `${sha256(wrap("events", "string", "number")(live))}\n`;
+    for (let event = 0; event < 60; event += event < 12 ? 1 : 7) {
+      if (set(live, "event", event) !== 0) break;
+      tell();
+    }
+    need(set(live, "event", -1));
+  };
   tell();
   turn(100);
   need(set(live, "level", 1));
@@ -63,6 +73,9 @@ const play = (module, scene) => {
 
 const main = async () => {
   const module = await require(path.resolve(modulePath))();
+  const made = module._lodlab_live_sources ? module.cwrap("lodlab_live_sources", "string", [])() : "";
+  const sources = fs.readFileSync(path.join(folder, "sources"), "utf8");
+  if (made !== sources) console.log(`live: ${modulePath} was made of other sources than this build; scripts/wasm makes it anew`);
   let same = 0;
   let other = 0;
   for (const name of fs.readdirSync(folder).filter((file) => file.endsWith(".json")).sort()) {

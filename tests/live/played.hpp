@@ -10,6 +10,8 @@
 // the module.
 namespace lodtest {
 
+inline constexpr int most_events = 60;  // of a frame that are looked at
+
 inline void need(bool done) {
     if (!done) throw std::runtime_error(lodlab_live_error());
 }
@@ -21,7 +23,8 @@ inline std::string line_of(lodlab_live* live) {
            io::sha256(lodlab_live_figure(live)) + "\n";
 }
 
-/// A line after each turn: the hash of the state and the SHA-256 of the figure.
+/// A line after each turn, and at events of the next frame: the hash of the state and the SHA-256
+/// of the figure.
 inline std::string played(const std::string& scene) {
     lodlab_live* live = lodlab_live_open(scene.c_str());
     need(live != nullptr);
@@ -29,6 +32,12 @@ inline std::string played(const std::string& scene) {
     const auto turn = [&](int frames) {
         need(lodlab_live_step(live, frames) == 0);
         lines += line_of(live);
+        lines += io::sha256(lodlab_live_events(live)) + "\n";
+        for (int event = 0; event < most_events; event += event < 12 ? 1 : 7) {
+            if (lodlab_live_set(live, "event", event) != 0) break;
+            lines += line_of(live);
+        }
+        need(lodlab_live_set(live, "event", -1) == 0);
     };
     turn(100);
     need(lodlab_live_set(live, "level", 1) == 0);

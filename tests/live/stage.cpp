@@ -164,6 +164,116 @@ TEST_CASE("verdicts alone are told of circles and proofs, and no contact is draw
     CHECK(live::picture(stage).caption.starts_with("The circles are apart, and so are "));
 }
 
+TEST_CASE("inside a frame levels come first, then contacts, then impulses, and no body moves") {
+    live::Stage stage = meeting();
+    const std::uint64_t start = stage.state_hash();
+    const std::string report = live::report(stage);
+    const std::string picture = viz::json_text(live::picture(stage));
+    const std::vector<scenes::Event<2>> events = stage.apart().events;
+    REQUIRE(events.size() > 4);
+    std::size_t impulses = 0;
+    std::size_t contacts = 0;
+    for (std::size_t i = 0; i < events.size(); ++i) {
+        stage.look_inside(i);
+        CHECK(stage.state_hash() == start);
+        CHECK(report_of(stage)["event"] == i);
+        const viz::Figure figure = live::picture(stage);
+        contacts += events[i].kind == scenes::EventKind::contact ? 1 : 0;
+        impulses += events[i].kind == scenes::EventKind::impulse ? 1 : 0;
+        CHECK(count_role(figure, viz::Role::contact) == static_cast<int>(contacts));
+        CHECK(count_role(figure, viz::Role::normal) ==
+              (events[i].kind == scenes::EventKind::contact ? 1 : 0));
+        if (events[i].kind != scenes::EventKind::round)
+            CHECK(count_role(figure, viz::Role::impulse) == static_cast<int>(impulses));
+        CHECK(figure.caption.starts_with("Event " + std::to_string(i + 1) + " of " +
+                                         std::to_string(events.size()) + ": "));
+    }
+    CHECK(contacts == stage.record().impacts.size());
+    CHECK(impulses > 0);
+    stage.look_inside({});
+    CHECK(live::report(stage) == report);
+    CHECK(viz::json_text(live::picture(stage)) == picture);
+    // The impulses are those of the next frame.
+    stage.step();
+    REQUIRE(stage.hits().size() == impulses);
+    std::size_t hit = 0;
+    for (const scenes::Event<2>& event : events)
+        if (event.kind == scenes::EventKind::impulse)
+            CHECK(stage.hits()[hit++].impulse == event.impulse);
+}
+
+TEST_CASE("inside a frame each level shows its own nodes and none of the later ones") {
+    live::Stage stage = meeting();
+    const auto bodies = stage.bodies();
+    const auto fronts = lod::traverse_levels<2>(bodies[0], bodies[1]);
+    for (std::size_t level = 0; level < fronts.size(); ++level) {
+        stage.look_inside(level);
+        CHECK(stage.inside().events[level].level == static_cast<int>(level));
+        for (const viz::Mark& mark : live::picture(stage).panels[0].marks)
+            std::visit(
+                [&](const auto& held) {
+                    const viz::Role role = held.style.role;
+                    if (role == viz::Role::node || role == viz::Role::meeting_node)
+                        CHECK(held.style.level <= static_cast<int>(level));
+                },
+                static_cast<const viz::AnyMark&>(mark));
+    }
+}
+
+TEST_CASE("inside a frame the tests of a level that is thrown away are shown as such") {
+    live::Stage stage = meeting();
+    stage.set_pair_cost(3);
+    bool seen = false;
+    for (std::uint64_t budget = 1; budget < 200; ++budget) {
+        stage.set_budget(budget);
+        const std::vector<scenes::Event<2>> events = stage.apart().events;
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            stage.look_inside(i);
+            const bool is_dropped = events[i].kind == scenes::EventKind::dropped;
+            seen |= is_dropped;
+            CHECK((count_role(live::picture(stage), viz::Role::dropped_node) > 0) == is_dropped);
+        }
+    }
+    CHECK(seen);
+}
+
+TEST_CASE("whatever changes a stage leaves the frame that was looked into") {
+    const auto left_by = [](auto change) {
+        live::Stage stage = meeting();
+        stage.look_inside(1);
+        CHECK(stage.event() == 1);
+        change(stage);
+        CHECK_FALSE(stage.event());
+        CHECK(report_of(stage)["event"].is_null());
+    };
+    left_by([](live::Stage& stage) { stage.step(); });
+    left_by([](live::Stage& stage) { stage.reset(); });
+    left_by([](live::Stage& stage) { stage.place(0, {0, 0}, 0); });
+    left_by([](live::Stage& stage) { stage.move(0, {0, 0}, 0); });
+    left_by([](live::Stage& stage) { stage.set_level(1); });
+    left_by([](live::Stage& stage) { stage.set_budget(9); });
+    left_by([](live::Stage& stage) { stage.set_pair_cost(1); });
+    left_by([](live::Stage& stage) { stage.set_restitution(0.5); });
+    left_by([](live::Stage& stage) { stage.set_policy(lod::Priority::first_come); });
+    left_by([](live::Stage& stage) { stage.set_contact_model(lod::ContactModel::centre_line); });
+    left_by([](live::Stage& stage) { stage.set_response(lod::Response::sum); });
+    left_by([](live::Stage& stage) { stage.set_fixation({0, 0}); });
+}
+
+TEST_CASE(
+    "a scene of verdicts tells of levels alone inside a frame, and one without pairs nothing") {
+    live::Scene scene = sample::live_scene(0.7);
+    scene.told = live::Told::verdicts;
+    live::Stage stage(scene);
+    REQUIRE_FALSE(stage.apart().events.empty());
+    for (const scenes::Event<2>& event : stage.apart().events)
+        CHECK(event.kind == scenes::EventKind::level);
+    CHECK_THROWS_WITH(stage.look_inside(99), Catch::Contains("this frame has 4 levels"));
+    stage.place(0, {-50, 0}, 0);
+    CHECK(stage.apart().events.empty());
+    CHECK_THROWS_WITH(stage.look_inside(0), Catch::Contains("no event"));
+}
+
 TEST_CASE("a single body shows the circles of its level") {
     live::Scene scene = sample::live_scene();
     scene.actors.pop_back();
