@@ -92,6 +92,14 @@ void add_velocities(viz::Panel& panel, const Stage& stage) {
         viz::add_velocity<2>(panel, {stage.bodies()[i], static_cast<int>(i)}, scale);
 }
 
+/// Of many bodies only those that the event is about, which is looked at.
+bool is_named(const Stage& stage, std::size_t body) {
+    if (moving_bodies(stage) <= few_bodies) return true;
+    if (!stage.event()) return false;
+    const scenes::Event<2>& event = stage.inside().events[*stage.event()];
+    return body == lod::at(event.a) || body == lod::at(event.b);
+}
+
 /// Names beside the outlines, on the side away from the middle of the others.
 void add_body_names(viz::Panel& panel, const Stage& stage) {
     std::vector<viz::Visual<2>> visuals;
@@ -101,7 +109,7 @@ void add_body_names(viz::Panel& panel, const Stage& stage) {
         if (!body.tree->is_half_space())
             middle += body.position / static_cast<double>(moving_bodies(stage));
     for (std::size_t i = 0; i < visuals.size(); ++i)
-        if (!stage.bodies()[i].tree->is_half_space())
+        if (!stage.bodies()[i].tree->is_half_space() && is_named(stage, i))
             viz::add_name<2>(panel, stage.actor(i), viz::shown_name(visuals, i),
                              static_cast<int>(i), viz::point_of(middle));
 }
@@ -153,7 +161,7 @@ viz::Panel panel_of(const Stage& stage) {
         add_present(panel, stage, few);
     else
         add_inside(panel, stage);
-    if (few) add_body_names(panel, stage);
+    add_body_names(panel, stage);
     add_fixation(panel, stage);
     return panel;
 }

@@ -16,6 +16,7 @@
 #include "lodlab/scenes/trace/events.hpp"
 #include "lodlab/scenes/trace/trace_player.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
+#include "lodlab/viz/draw/draw_traversal.hpp"
 
 namespace cli {
 namespace {
@@ -32,9 +33,9 @@ struct Moment {
     const scenes::TracePlayer<Dim>& player;
     std::uint64_t frames_run = 0;             ///< to get there
     const scenes::Step<Dim>* step = nullptr;  ///< none at the end
-    std::vector<std::string> names;           ///< of the bodies
-    std::vector<scenes::Event<Dim>> events;
-    std::optional<std::size_t> event;  ///< that was asked for
+    std::vector<std::string> names{};         ///< of the bodies
+    std::vector<scenes::Event<Dim>> events{};
+    std::optional<std::size_t> event{};  ///< that was asked for
 
     [[nodiscard]] double time() const {
         return static_cast<double>(player.frame()) * player.trace().head().settings.time_step;

@@ -149,12 +149,13 @@ const lodlabFigure = (() => {
       return next;
     }
 
-    // Boxes that words had better not cover: along each arrow, round each dot.
+    // Boxes that words had better not cover: along each arrow, round each dot; soft ones along the bodies' outlines.
     obstacles(marks) {
       const boxes = [];
       const add = ([x, y], half) => boxes.push({ left: x - half, right: x + half, top: y - half, bottom: y + half });
       for (const mark of marks) {
         if (mark.mark === "dot") add(this.map.at(mark.at), 6);
+        if (mark.mark === "path" && mark.role === "body") for (const ring of mark.rings) this.addOutline(ring, boxes);
         if (mark.mark !== "arrow") continue;
         const [x, y] = this.map.at(mark.tail);
         const [u, v] = this.map.at(mark.tip);
@@ -162,6 +163,19 @@ const lodlabFigure = (() => {
         for (let i = 0; i <= parts; ++i) add([x + ((u - x) * i) / parts, y + ((v - y) * i) / parts], 4);
       }
       return boxes;
+    }
+
+    addOutline(ring, boxes) {
+      let [u, v] = this.map.at(ring.at(-1));
+      for (const corner of ring) {
+        const [x, y] = this.map.at(corner);
+        const parts = Math.min(40, Math.ceil(Math.hypot(x - u, y - v) / 8));
+        for (let i = 1; i <= parts; ++i) {
+          const [p, q] = [u + ((x - u) * i) / parts, v + ((y - v) * i) / parts];
+          boxes.push({ left: p - 4, right: p + 4, top: q - 4, bottom: q + 4, soft: true });
+        }
+        [u, v] = [x, y];
+      }
     }
 
     drawWords(marks) {
@@ -199,9 +213,14 @@ const lodlabFigure = (() => {
         const middle = [x + Math.cos(way) * (reach + width / 2), y + Math.sin(way) * (reach + height / 2)];
         const box = { left: middle[0] - width / 2, right: middle[0] + width / 2, top: middle[1] - height / 2, bottom: middle[1] + height / 2 };
         const outside = width * height - overlap(box, { left: 2, top: 2, right: this.width - 2, bottom: this.height - 2 });
-        const cost = 3 * outside + taken.reduce((sum, other) => sum + overlap(box, other), 0);
-        if (best === null || cost < best.cost - 1) best = { ...box, cost, way };
-        if (cost < 1) break;
+        let [cost, all] = [3 * outside, 3 * outside];
+        for (const other of taken) {
+          const covered = overlap(box, other);
+          all += other.soft ? 0.5 * covered : covered;
+          if (!other.soft) cost += covered;
+        }
+        if (best === null || all < best.all - 1) best = { ...box, cost, all, way };
+        if (all < 1) break;
       }
       this.ways.set(words.text, best.way);
       return best.cost < (words.way === undefined ? 0.5 : 0.04) * width * height ? best : null;

@@ -52,14 +52,19 @@ const lodlabInside = (() => {
       this.text(".inside .now", event === null ? hint : `${capital(this.events[event].sentence)}.`);
       if (event === null) return void (this.listed = null);
       if (this.listed !== this.events) this.listEvents(list);
+      const group = this.groups.find(({ events }) => events.includes(event));
+      group.details.open = true;
+      this.fillGroup(group);
       this.markEvent(list, event);
     },
 
-    // A group for each pair, and one for the rounds of the response, in the order in which they begin.
+    // A group for the levels of each pair, for its contacts, for its impulses, and one for the rounds of the response, in
+    // the order in which they begin.
     groupEvents() {
       const groups = new Map();
       this.events.forEach((event, number) => {
-        const key = event.kind === "round" ? "round" : `${event.a} ${event.b}`;
+        const what = /^(level|dropped|skipped|exact)$/.test(event.kind) ? "levels" : event.kind;
+        const key = what === "round" ? what : `${what} ${event.a} ${event.b}`;
         if (!groups.has(key)) groups.set(key, { who: event.kind === "round" ? "The response" : event.pair, events: [] });
         groups.get(key).events.push(number);
       });
@@ -78,7 +83,7 @@ const lodlabInside = (() => {
         summary.textContent = `${group.who}: ${Object.entries(kinds).map(([kind, count]) => plural(count, kind)).join(", ")}`;
         group.details.append(summary);
         group.details.open = this.events.length <= fewEvents;
-        group.details.addEventListener("toggle", () => this.fillGroup(group));
+        group.details.addEventListener("toggle", () => { this.fillGroup(group); this.markEvent(list, this.state.event); });
         this.fillGroup(group);
         list.append(group.details);
       }
@@ -89,28 +94,23 @@ const lodlabInside = (() => {
       if (!group.details.open || group.lines) return;
       group.lines = document.createElement("ol");
       for (const number of group.events) {
+        const { short, pair } = this.events[number];
         const line = document.createElement("li");
         const button = document.createElement("button");
         button.type = "button";
         button.dataset.event = number;
         button.innerHTML = '<span class="number"></span> <span class="what"></span>';
         button.firstChild.textContent = number + 1;
-        button.lastChild.textContent = capital(this.events[number].short);
+        button.lastChild.textContent = capital(short.replace(` of ${pair}:`, ":")); // the group says whose
         button.addEventListener("click", () => this.look(number));
         line.append(button);
         group.lines.append(line);
       }
       group.details.append(group.lines);
-      this.markEvent(this.find(".inside .events"), this.state.event, group);
     },
 
     // The line of the present event, in view within its list.
-    markEvent(list, event, filled) {
-      const group = this.groups.find(({ events }) => events.includes(event));
-      if (group && group !== filled && !group.details.open) {
-        group.details.open = true;
-        this.fillGroup(group);
-      }
+    markEvent(list, event) {
       for (const button of list.querySelectorAll("[data-event]")) {
         const isPresent = Number(button.dataset.event) === event;
         if (!isPresent) { button.removeAttribute("aria-current"); continue; }

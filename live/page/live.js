@@ -54,13 +54,14 @@ const lodlabLive = (() => {
       this.addControls();
       this.addHandles();
       this.addInside();
-      if (this.calls.sources() !== lodlabSources) this.tellStale();
+      this.checkSources();
       new ResizeObserver(() => { this.drawing.resize(); this.show(); }).observe(this.svg);
       this.show();
     }
 
-    // The module was made by another build.
-    tellStale() {
+    // The module comes from another build, and may be older.
+    checkSources() {
+      if (this.calls.sources() === lodlabSources) return;
       const words = document.createElement("p");
       words.className = "quiet stale";
       words.textContent = "What runs here was made of other sources than this page: scripts/wasm makes it anew; then build lodlab again.";

@@ -64,6 +64,17 @@ def near(a, b, by):
     return abs(a - b) <= by
 
 
+def check_sources(page, report):
+    """The page says where its module was made of other sources, and only there."""
+    other = page.browser.run(LIVE + "return live.calls.sources() !== lodlabSources")
+    if other:
+        print("page: the module was made of other sources than this build; scripts/wasm makes it anew")
+    report.expect("other sources are told", page.browser.run("return !!document.querySelector('.stale')"), other)
+    page.browser.run(LIVE + "live.calls.sources = () => 'others'; live.checkSources()")
+    report.expect("and how that is mended", "scripts/wasm" in page.text(".stale"), True)
+    page.browser.run("document.querySelector('.stale').remove()")
+
+
 def check_play(page, report):
     start = page.state()
     page.click(".step")
@@ -223,6 +234,7 @@ def check(lodlab, folder, browser):
     if report.faults:
         return report
     report.expect("no request to any network", browser.run("return performance.getEntriesByType('resource').length"), 0)
+    check_sources(page, report)
     check_play(page, report)
     check_drag(page, report)
     check_sliders(page, report)

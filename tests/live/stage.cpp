@@ -237,6 +237,24 @@ TEST_CASE("inside a frame the tests of a level that is thrown away are shown as 
     CHECK(seen);
 }
 
+TEST_CASE("of many bodies those that the event is about are named") {
+    live::Scene scene = sample::live_scene(0.7);
+    for (int i = 0; i < 5; ++i) {
+        scene.actors.push_back(sample::actor("disc", 10.0 + 3 * i, 0, 0, 1));
+        scene.actors.back().visual.name = "far";
+    }
+    live::Stage stage(scene);
+    const auto names = [&] {
+        std::vector<std::string> found;
+        for (const viz::Mark& mark : live::picture(stage).panels[0].marks)
+            if (const auto* label = std::get_if<viz::Label>(&mark)) found.push_back(label->text);
+        return found;
+    };
+    CHECK(names().empty());
+    stage.look_inside(0);
+    CHECK(names() == std::vector<std::string>{stage.names()[0], stage.names()[1]});
+}
+
 TEST_CASE("whatever changes a stage leaves the frame that was looked into") {
     const auto left_by = [](auto change) {
         live::Stage stage = meeting();
