@@ -28,13 +28,11 @@ std::string found(std::uint64_t overlapping) {
 
 /// Of a level that was begun, and is thrown away.
 std::string lost(std::uint64_t tests, std::uint64_t needed) {
+    const std::string end = tests == 1 ? " is thrown away: " : " are thrown away: ";
     if (tests < needed)
-        return "the budget ends after " + std::to_string(tests) + " of " +
-               counted(needed, "node test") + (tests == 1 ? ", which is" : ", which are") +
-               " thrown away";
-    return counted(tests, "node test") + (tests == 1 ? " is" : " are") +
-           " thrown away, for the budget cannot answer the node pairs that " +
-           (tests == 1 ? "it finds" : "they find");
+        return std::to_string(tests) + " of " + counted(needed, "node test") + end +
+               "the budget ended";
+    return counted(tests, "node test") + end + "too much to answer";
 }
 
 /// The words of one event.

@@ -78,8 +78,7 @@ TEST_CASE("a level whose node pairs cannot be paid for is dropped with all its t
         CHECK(events[1].tests == 16);
         if (!is_dropped) continue;
         CHECK(told(events[1]) ==
-              "level 1 of A and B: 16 node tests are thrown away, for the budget "
-              "cannot answer the node pairs that they find");
+              "level 1 of A and B: 16 node tests are thrown away: too much to answer");
     }
 }
 
@@ -92,9 +91,9 @@ TEST_CASE("a level that was cut short is told with the tests that were done") {
         const auto events = events_of(couple(1.9), by_centre_lines(), cut);
         CHECK(events[1].kind == EventKind::dropped);
         CHECK(events[1].tests == tests);
-        CHECK(told(events[1]) == "level 1 of A and B: the budget ends after " +
-                                     std::to_string(tests) + " of 16 node tests, which " +
-                                     (tests == 1 ? "is" : "are") + " thrown away");
+        CHECK(told(events[1]) == "level 1 of A and B: " + std::to_string(tests) +
+                                     " of 16 node tests " + (tests == 1 ? "is" : "are") +
+                                     " thrown away: the budget ended");
         // The roots' contact is what the frame goes by.
         CHECK(events[2].kind == EventKind::contact);
         CHECK(events[2].contact.depth == Approx(1.1));
