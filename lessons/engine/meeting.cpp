@@ -73,14 +73,17 @@ lod::FrameSettings to_the_true_shapes(double time_step) {
     return settings;
 }
 
-viz::Run<2> run_of(const Meeting& meeting, const lod::FrameSettings& settings, double seconds,
-                   const std::string& name) {
+viz::Run<2> run_of(const std::vector<viz::Actor<2>>& actors, const lod::FrameSettings& settings,
+                   double seconds, const std::string& name) {
     viz::Run<2> run;
     run.name = name;
-    run.visuals = {meeting.a.visual, meeting.b.visual};
     run.time_step = settings.time_step;
     lod::FrameStorage<2> storage;
-    std::vector<Body<2>> bodies = meeting.bodies();
+    std::vector<Body<2>> bodies;
+    for (const viz::Actor<2>& actor : actors) {
+        run.visuals.push_back(actor.visual);
+        bodies.push_back(actor.body);
+    }
     const auto frames = static_cast<int>(seconds / settings.time_step + 0.5);
     for (int i = 0; i < frames; ++i) {
         const std::vector<Body<2>> now = bodies;
@@ -89,6 +92,11 @@ viz::Run<2> run_of(const Meeting& meeting, const lod::FrameSettings& settings, d
     }
     viz::add_instant(run, bodies, {});
     return run;
+}
+
+viz::Run<2> run_of(const Meeting& meeting, const lod::FrameSettings& settings, double seconds,
+                   const std::string& name) {
+    return run_of(std::vector<viz::Actor<2>>{meeting.a, meeting.b}, settings, seconds, name);
 }
 
 Collision collision_of(const Meeting& meeting, const lod::FrameSettings& settings, double horizon) {

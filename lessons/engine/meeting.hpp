@@ -43,7 +43,10 @@ struct Meeting {
 /// Frames that ask the true shapes and go back to their time of impact.
 [[nodiscard]] lod::FrameSettings to_the_true_shapes(double time_step);
 
-/// The bodies frame by frame, and where the last frame leaves them.
+/// Bodies frame by frame, and where the last frame leaves them.
+[[nodiscard]] viz::Run<2> run_of(const std::vector<viz::Actor<2>>& actors,
+                                 const lod::FrameSettings& settings, double seconds,
+                                 const std::string& name);
 [[nodiscard]] viz::Run<2> run_of(const Meeting& meeting, const lod::FrameSettings& settings,
                                  double seconds, const std::string& name);
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "lodlab/core/base/to_chars.hpp"
+#include "lodlab/core/builder/protrusion.hpp"
 #include "lodlab/viz/figure/number_text.hpp"
 
 namespace lessons {
@@ -191,6 +192,29 @@ void add_sides(viz::Panel& panel, const lod::Vector<2>& a, const lod::Vector<2>&
     add_label(panel, viz::Role::note, (corner + b) / 2, up);
 }
 
+void add_piece(viz::Panel& panel, const lod2d::ConvexParts& parts, int index) {
+    for (std::size_t part = 0; part < parts.count(); ++part) {
+        viz::Ring ring;
+        for (const lod2d::Point& corner : parts.part(part)) ring.push_back(at(corner));
+        panel.marks.push_back(viz::Path{style(viz::Role::band, index), {ring}});
+    }
+}
+
+double add_whisker(viz::Panel& panel, const lod2d::BoundaryIndex& outline,
+                   std::span<const lod::Sphere<2>> discs, int body) {
+    constexpr double tolerance = 1e-6;  // [m]
+    const lod::Protrusion<2> out = lod::find_protrusion<2>(outline, discs, tolerance);
+    const lod::Vector<2> foot = outline.nearest(out.at).point;
+    const double length = (out.at - foot).norm();
+    constexpr double beyond = 0.07;  // of the view's width: so that no circle crosses the words
+    const double away = beyond * (panel.view.high.x - panel.view.low.x);
+    add_line(panel, viz::Role::curve, foot, out.at, body);
+    add_dot(panel, viz::Role::contact, out.at);
+    add_label(panel, viz::Role::body, out.at + away * (out.at - foot).stableNormalized(),
+              shown(length, 2) + " m", body);
+    return length;
+}
+
 viz::Box box(double left, double bottom, double right, double top) {
     return {{left, bottom}, {right, top}};
 }
@@ -227,8 +251,7 @@ viz::Figure figure_of(viz::Panel panel) {
     return figure;
 }
 
-live::Scene to_play_with(std::vector<viz::Actor<2>> actors, const viz::Box& view,
-                         live::Told told) {
+live::Scene to_play_with(std::vector<viz::Actor<2>> actors, const viz::Box& view, live::Told told) {
     live::Scene scene;
     scene.actors = std::move(actors);
     scene.view = view;

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,12 @@
 #include "lessons/engine/lessons.hpp"
 #include "lodlab/core/tree/body.hpp"
 #include "lodlab/core/tree/traversal.hpp"
+#include "lodlab/live/scene.hpp"
 #include "lodlab/lod2d/builder/build_tree.hpp"
+#include "lodlab/lod2d/shape/convex_parts.hpp"
 #include "lodlab/lod2d/shape/distance.hpp"
 #include "lodlab/lod2d/shape/shape.hpp"
 #include "lodlab/lod3d/solid/solid.hpp"
-#include "lodlab/live/scene.hpp"
 #include "lodlab/viz/draw/draw_scene.hpp"
 
 // Words and marks that lessons share.
@@ -108,6 +110,12 @@ void add_circles(viz::Panel& panel, const lod::Sphere<2>& a, const lod::Sphere<2
 /// The way from a to b, first across, then up, with a word beside each part.
 void add_sides(viz::Panel& panel, const lod::Vector<2>& a, const lod::Vector<2>& b,
                const std::string& across, const std::string& up);
+
+/// A piece of a shape, filled in the ink of body `index`.
+void add_piece(viz::Panel& panel, const lod2d::ConvexParts& parts, int index);
+/// A line from where discs stand out furthest to the outline, with its length, which it gives [m].
+double add_whisker(viz::Panel& panel, const lod2d::BoundaryIndex& outline,
+                   std::span<const lod::Sphere<2>> discs, int body);
 
 [[nodiscard]] viz::Box box(double left, double bottom, double right, double top);
 

@@ -4,10 +4,12 @@
 set(exercises
   detection/meet detection/surely_apart
   detection/holding_radius detection/owner
+  detection/level_circles detection/seen_down_to
   detection/next_front detection/answer_in_time
   detection/verdict detection/latest_proof
   detection/cost_of_next_level detection/by_turns
-  response/contact_point response/impulse response/net_impulses
+  response/contact_point response/impulse
+  response/net_impulses response/sharing_groups
   response/level_error response/good_from
   response/meeting_radius response/shadows_meet
   response/box_inertia response/spin_change

@@ -63,7 +63,7 @@ TEST_CASE("the scene that a lesson's reader plays with becomes a page of its own
                   "lodlab does this as html");
     CHECK(scratch.files().empty());
     if (!has_module()) return;
-    for (const char* name : {"lesson:circle_tree", "lesson:2", "lesson:tree"}) {
+    for (const char* name : {"lesson:circle_tree", "lesson:3", "lesson:tree"}) {
         CHECK(lodlab({"page", name, "--out", out}).code == 0);
         CHECK(contains(lodtest::bytes_of(out), "\"name\":\"circle_tree\""));
     }

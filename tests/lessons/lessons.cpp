@@ -1,5 +1,6 @@
 #include "lessons/engine/lessons.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <regex>
 
@@ -12,21 +13,24 @@
 
 using namespace lessons;
 
-TEST_CASE("there are twelve lessons in the order in which they build on each other", "[lessons]") {
+TEST_CASE("there are fourteen lessons in the order in which they build on each other",
+          "[lessons]") {
     const std::vector<Entry> all = list();
-    REQUIRE(all.size() == 12);
+    REQUIRE(all.size() == 14);
     CHECK(all[0].slug == "distance_test");
-    CHECK(all[1].slug == "circle_tree");
-    CHECK(all[2].slug == "traversal");
-    CHECK(all[3].slug == "possible_and_true");
-    CHECK(all[4].slug == "interruption");
-    CHECK(all[5].slug == "contact_and_impulse");
-    CHECK(all[6].slug == "graceful_degradation");
-    CHECK(all[7].slug == "circles_to_spheres");
-    CHECK(all[8].slug == "inertia");
-    CHECK(all[9].slug == "scheduler");
-    CHECK(all[10].slug == "beside_box2d");
-    CHECK(all[11].slug == "too_early");
+    CHECK(all[1].slug == "cover");
+    CHECK(all[2].slug == "circle_tree");
+    CHECK(all[3].slug == "traversal");
+    CHECK(all[4].slug == "possible_and_true");
+    CHECK(all[5].slug == "interruption");
+    CHECK(all[6].slug == "contact_and_impulse");
+    CHECK(all[7].slug == "many_contacts");
+    CHECK(all[8].slug == "graceful_degradation");
+    CHECK(all[9].slug == "circles_to_spheres");
+    CHECK(all[10].slug == "inertia");
+    CHECK(all[11].slug == "scheduler");
+    CHECK(all[12].slug == "beside_box2d");
+    CHECK(all[13].slug == "too_early");
     for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i].number == static_cast<int>(i) + 1);
 }
 
@@ -126,22 +130,56 @@ TEST_CASE("distance_test: three and four make five, and 0.1 + 0.7 falls short of
     CHECK(lesson.numbers.at("R_b").value == Approx(0.65).epsilon(0.01));
 }
 
-TEST_CASE("circle_tree: deeper levels stand out less, and only the sound tree is certified",
+TEST_CASE("cover: the plank's circles are those worked out by hand, and only a hole misses",
+          "[lessons]") {
+    const Lesson lesson = run(find_lesson("cover")->number);
+    const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
+    const auto text = [&](const std::string& name) { return lesson.numbers.at(name).text; };
+    // A plank of 4 m by 1 m, cut into rectangles of w by h: the radius is half their diagonal; it
+    // stands out most where the plank is nearest to the circle's centre.
+    const auto check_cover = [&](const std::string& name, double w, double h) {
+        INFO(name);
+        const double radius = std::hypot(w, h) / 2;
+        CHECK(value(name + " radius") == Approx(radius).epsilon(1e-9));
+        CHECK(value(name + " out") == Approx(radius - std::min(w, h) / 2).margin(1e-5));
+        CHECK(value(name + " circles") == 4 / (w * h));
+        CHECK(value(name + " tests") == 16 / (w * w * h * h));
+    };
+    check_cover("one", 4, 1);
+    check_cover("four", 1, 1);
+    check_cover("strips", 0.5, 1);
+    check_cover("sixteen", 0.5, 0.5);
+    CHECK(text("spare") == "3 and 5");
+    CHECK(text("good verdict") == "they meet");
+    CHECK(text("bad verdict") == "apart");
+    CHECK(text("spoiled covers") == "refused");
+    CHECK(text("star certified") == "certified");
+    CHECK(value("uncovered") > 0);
+    CHECK(value("proof tests") == 16);
+    CHECK(value("pair tests") == value("crescent circles") * value("star circles"));
+    CHECK(value("holding p") >= 2);
+    CHECK(value("touching") > 100);
+    CHECK(value("missed") == 0);
+    CHECK(value("missed by spoiled") > 0);
+    CHECK(value("too small") == 186);  // by fractions of whole numbers, of any length
+    CHECK(value("too small grown") == 0);
+}
+
+TEST_CASE("circle_tree: deeper levels of the crescent stand out less, a star's first level more",
           "[lessons]") {
     const Lesson lesson = run(find_lesson("circle_tree")->number);
+    const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
     for (int level = 1; level <= 3; ++level) {
         const std::string now = std::to_string(level);
         const std::string before = std::to_string(level - 1);
-        CHECK(lesson.numbers.at("worst " + now).value < lesson.numbers.at("worst " + before).value);
-        CHECK(lesson.numbers.at("circles " + now).value >
-              lesson.numbers.at("circles " + before).value);
-        CHECK(lesson.numbers.at("circles " + now).value <= std::pow(4.0, level));
+        CHECK(value("worst " + now) < value("worst " + before));
+        CHECK(value("circles " + now) > value("circles " + before));
+        CHECK(value("circles " + now) <= std::pow(4.0, level));
     }
-    CHECK(lesson.numbers.at("certified levels").value == 4);
-    CHECK(lesson.numbers.at("uncovered").value > 0);
-    CHECK(lesson.numbers.at("bad verdict").text == "apart");
-    CHECK(lesson.numbers.at("good verdict").text == "true collision");
-    CHECK(lesson.numbers.at("visitor").value > 0);
+    CHECK(value("certified levels") == 4);
+    CHECK(value("star worst 1") > value("star worst 0"));
+    CHECK(value("star worst 2") < value("star worst 0"));
+    CHECK(value("star area 1") < value("star area 0"));
 }
 
 TEST_CASE("traversal: the near miss ends in proof, the interruption keeps a finished level",
@@ -162,12 +200,26 @@ TEST_CASE("traversal: the near miss ends in proof, the interruption keeps a fini
     CHECK(value("tests spent") <= value("quota"));
 }
 
-TEST_CASE("contact_and_impulse: the two points and the energy table are those worked out by hand",
+TEST_CASE("contact_and_impulse: the two points are those worked out by hand, and energy is kept",
           "[lessons]") {
     const Lesson lesson = run(find_lesson("contact_and_impulse")->number);
     const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
     CHECK(value("ratio point") == Approx(4.0 / 3).epsilon(1e-12));
     CHECK(value("plane point") == Approx(1.75).epsilon(1e-12));
+    CHECK(value("v_c") < 0);
+    CHECK(value("v_c after") == Approx(-value("v_c")).epsilon(1e-12));
+    CHECK(value("energy after") == Approx(value("energy before")).epsilon(1e-12));
+    CHECK(value("second j") == 0);
+    CHECK(value("K") ==
+          Approx(value("K mass a") + value("K mass b") + value("K turn a") + value("K turn b"))
+              .epsilon(1e-12));
+}
+
+TEST_CASE("many_contacts: the energy table and the three balls are those worked out by hand",
+          "[lessons]") {
+    const Lesson lesson = run(find_lesson("many_contacts")->number);
+    const auto value = [&](const std::string& name) { return lesson.numbers.at(name).value; };
+    const auto text = [&](const std::string& name) { return lesson.numbers.at(name).text; };
     // One contact at x of the box (1 kg, I = 5/12): K = 1 + x^2 12/5 and j = 2 / K, so that two
     // corner contacts give 20/17 in all: the speed after is 3/17, the energy (3/17)^2 of what it
     // was.
@@ -184,13 +236,37 @@ TEST_CASE("contact_and_impulse: the two points and the energy table are those wo
     CHECK(value("half bounce") == Approx(0.25).epsilon(1e-12));
     CHECK(value("single j") == Approx(2).epsilon(1e-12));
     CHECK(value("L energy") == Approx(1).epsilon(1e-12));
-    CHECK(value("v_c") < 0);
-    CHECK(value("v_c after") == Approx(-value("v_c")).epsilon(1e-12));
-    CHECK(value("energy after") == Approx(value("energy before")).epsilon(1e-12));
-    CHECK(value("second j") == 0);
-    CHECK(value("K") ==
-          Approx(value("K mass a") + value("K mass b") + value("K turn a") + value("K turn b"))
-              .epsilon(1e-12));
+    CHECK(value("corner K") == Approx(3.4).epsilon(1e-12));
+    CHECK(value("corner j") == Approx(10.0 / 17).epsilon(1e-12));
+    CHECK(value("corner factor") == Approx(1.7).epsilon(1e-12));
+    CHECK(value("short speed") == Approx(3.0 / 17).epsilon(1e-12));
+    CHECK(value("floor change") == 0);
+    CHECK(value("floor speed") == Approx(1).epsilon(1e-12));
+    CHECK(value("neighbour speed") == Approx(0.5).epsilon(1e-12));
+    // The lines to B and C are 30 degrees off: each push alone is sqrt(3)/2. After that on B, A has
+    // (1, -sqrt(3))/4; C then gets half of it, and A is left with (-1, -sqrt(3))/8.
+    CHECK(value("first j") == Approx(std::sqrt(0.75)).epsilon(1e-12));
+    CHECK(value("second closing") == Approx(std::sqrt(0.75) / 2).epsilon(1e-12));
+    CHECK(text("A after one") == "(0.250, −0.433) m/s");
+    CHECK(text("B first A") == "(−0.125, −0.217) m/s");
+    CHECK(text("B first B") == "(0.750, 0.433) m/s");
+    CHECK(text("B first C") == "(0.375, −0.217) m/s");
+    CHECK(text("C first B") == "(0.375, 0.217) m/s");
+    CHECK(text("C first C") == "(0.750, −0.433) m/s");
+    CHECK(value("ordered energy") == Approx(value("energy start")).epsilon(1e-12));
+    CHECK(value("sum share") == Approx(1.75).epsilon(1e-12));
+    CHECK(value("net factor") == Approx(0.8).epsilon(1e-12));
+    CHECK(value("net energy") == Approx(value("energy start")).epsilon(1e-12));
+    CHECK(text("net A") == "(−0.200, 0.000) m/s");
+    CHECK(text("net B") == "(0.600, 0.346) m/s");
+    CHECK(text("net C") == "(0.600, −0.346) m/s");
+    CHECK(text("lcp B") == text("net B"));
+    CHECK(value("row net A") == Approx(0).margin(1e-12));
+    CHECK(value("row net B") == Approx(0).margin(1e-12));
+    CHECK(value("row net C") == Approx(1).epsilon(1e-12));
+    CHECK(value("row lcp A") == Approx(-1.0 / 3).epsilon(1e-12));
+    CHECK(value("row lcp B") == Approx(2.0 / 3).epsilon(1e-12));
+    CHECK(value("row lcp C") == Approx(2.0 / 3).epsilon(1e-12));
 }
 
 TEST_CASE(

@@ -66,3 +66,44 @@ TEST_CASE("two stars that miss each other are pushed at level 1 and pass at the 
     CHECK((coarse.bodies()[0].velocity - before).norm() > 0.1);
     CHECK(fine.bodies()[0].velocity == before);
 }
+
+TEST_CASE("one ball strikes two: only the sum makes energy, only one after the other is unfair",
+          "[lessons]") {
+    const live::Stage start = stage_of("many_contacts");
+    const double before = lod::kinetic_energy<2>(start.bodies());
+    const auto after = [&](lod::Response response) {
+        live::Stage stage = start;
+        stage.set_response(response);
+        run_for(stage, 1.5);
+        return stage;
+    };
+    const auto energy = [&](const live::Stage& stage) {
+        return lod::kinetic_energy<2>(stage.bodies()) / before;
+    };
+    CHECK(energy(after(lod::Response::sum)) > 1.5);
+    for (const lod::Response response :
+         {lod::Response::net, lod::Response::sequential, lod::Response::lcp})
+        CHECK(energy(after(response)) == Approx(1).epsilon(1e-9));
+    for (const lod::Response response :
+         {lod::Response::net, lod::Response::sum, lod::Response::lcp}) {
+        const live::Stage stage = after(response);
+        CHECK(speed(stage, 1) == Approx(speed(stage, 2)).epsilon(1e-9));
+    }
+    const live::Stage ordered = after(lod::Response::sequential);
+    CHECK(std::abs(speed(ordered, 1) - speed(ordered, 2)) > 0.1);
+}
+
+TEST_CASE("the ball in the cover's hole is called apart, beside another circle it is not",
+          "[lessons]") {
+    const live::Scene scene = run(find_lesson("cover").value().number).live.value().scene;
+    const lod::Body<2>& plank = scene.actors[0].body;
+    lod::Body<2> ball = scene.actors[1].body;
+    const auto meets = [&] { return !lod::traverse_levels<2>(plank, ball).back().pairs.empty(); };
+    CHECK_FALSE(meets());
+    ball.position.y() *= -1;  // the hole at the lower edge
+    CHECK_FALSE(meets());
+    for (const double x : {-1.8, -0.8, 1.2}) {
+        ball.position.x() = x;
+        CHECK(meets());
+    }
+}

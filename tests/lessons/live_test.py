@@ -14,8 +14,8 @@ ROOT = "const root = document.querySelector('section.live'); const live = root.l
 READY = "return !!document.querySelector('section.live').live || document.querySelector('.live .trouble').textContent"
 SCRIPTS = "return [...document.scripts].filter(s => s.src.endsWith('/lodlab.js')).length"
 WITH_INSIDE = {"traversal", "interruption", "contact_and_impulse"}
-WITH_LIVE_PART = {"distance_test", "circle_tree", "traversal", "interruption", "contact_and_impulse",
-                  "graceful_degradation", "scheduler", "beside_box2d", "too_early"}
+WITH_LIVE_PART = {"distance_test", "cover", "circle_tree", "traversal", "interruption", "contact_and_impulse",
+                  "many_contacts", "graceful_degradation", "scheduler", "beside_box2d", "too_early"}
 
 
 def begin(browser, page, report):

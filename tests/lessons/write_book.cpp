@@ -1,9 +1,10 @@
-// Writes the whole book, without its videos, for the browser test; what another build left there
-// goes.
+// Writes the book without its videos, for the browser test; what another build left there goes.
+// Usage: write_book FOLDER [LESSON...], all lessons where no number is given.
 
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <string>
 
 #include "lessons/book/book.hpp"
 #include "lessons/engine/lessons.hpp"
@@ -13,6 +14,7 @@ int main(int count, char** values) {
         lessons::BookOptions options;
         options.video = false;
         const std::filesystem::path folder = count > 1 ? values[1] : "book";
+        for (int i = 2; i < count; ++i) options.lessons.push_back(std::stoi(values[i]));
         std::filesystem::remove_all(folder);
         lessons::write_book(folder, options);
         return 0;
