@@ -20,7 +20,7 @@ import subprocess
 import sys
 import tempfile
 
-FEW = [["-march=native", "-O3", "-ffp-contract=fast", "-DEIGEN_MAX_ALIGN_BYTES=64", "-std=c++2b"]]
+FEW = [["-march=native", "-O2", "-ffp-contract=fast", "-DEIGEN_MAX_ALIGN_BYTES=64", "-std=c++2b"]]
 ALL = [
     ["-march=x86-64-v2"],
     ["-march=x86-64-v3"],
