@@ -350,7 +350,7 @@ def in_browser(work):
 def check(browser, book):
     pages = sorted(book.glob("*/index.html"))
     report = Report()
-    report.expect("lessons", len(pages), 12)
+    report.expect("lessons", len(pages), 14)
     for page in pages:
         check_steps(browser, page, report)
         check_questions(browser, page, report)

@@ -10,7 +10,7 @@ import sys
 MOST_OF_PAGE = 1_500_000  # bytes, without its video
 MOST_AT_FIRST = 600_000  # before its reader scrolls or steps
 MOST_OF_BOOK = 15_000_000  # bytes, with its videos
-MOST_WITHOUT_VIDEOS = 7_500_000  # of these a million is the module of the live parts, once for all lessons
+MOST_WITHOUT_VIDEOS = 8_000_000  # of these a million is the module of the live parts, once for all lessons
 VIDEOS = (".mp4", ".webm")
 
 

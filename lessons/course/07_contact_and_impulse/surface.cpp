@@ -1,4 +1,6 @@
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "lessons/course/07_contact_and_impulse/lesson.hpp"
 #include "lessons/engine/meeting.hpp"
@@ -27,18 +29,23 @@ Faces faces_by(const Meeting& boxes, lod::ContactModel model, int level) {
     faces.panel.view = box(0.19, -0.25, 0.79, 0.65);
     add_body(faces.panel, boxes.a, 0);
     add_body(faces.panel, boxes.b, 1);
+    std::set<std::pair<std::size_t, int>> nodes;
     for (const lod::NodePair& pair : record.node_pairs) {
-        const viz::Style thin = style(viz::Role::node);
-        add_ball(faces.panel, viz::carried_node(bodies[0], pair.a), thin);
-        add_ball(faces.panel, viz::carried_node(bodies[1], pair.b), thin);
+        nodes.insert({0, pair.a});
+        nodes.insert({1, pair.b});
     }
-    for (const lod::Impact<2>& impact : record.impacts) {
-        const auto& [point, normal, depth] = impact.contact;
+    for (const auto& [body, node] : nodes)
+        add_ball(faces.panel, viz::carried_node(bodies[body], node), style(viz::Role::node));
+    constexpr std::size_t most_arrows = 24;
+    faces.contacts = record.impacts.size();
+    const std::size_t each = (faces.contacts + most_arrows - 1) / most_arrows;
+    for (std::size_t i = 0; i < faces.contacts; ++i) {
+        const auto& [point, normal, depth] = record.impacts[i].contact;
+        faces.off += std::atan2(std::abs(normal.y()), normal.x()) / degree;
+        if (i % each != 0) continue;
         add_dot(faces.panel, viz::Role::contact, point);
         add_arrow(faces.panel, viz::Role::normal, point, point + 0.13 * normal);
-        faces.off += std::atan2(std::abs(normal.y()), normal.x()) / degree;
     }
-    faces.contacts = record.impacts.size();
     faces.off /= static_cast<double>(faces.contacts);
     return faces;
 }
