@@ -22,7 +22,8 @@ Touching falling(int contacts, double restitution = 1) {
     box.restitution = restitution;
     box.position = Vec(0, 0.5);
     box.velocity = Vec(0, -1);
-    Touching landing{{floor, box}, {}, {}};
+    Touching landing;
+    landing.bodies = {floor, box};
     for (int i = 0; i < contacts; ++i) {
         const double x = contacts == 1 ? 0 : -1 + 2.0 * i / (contacts - 1);
         landing.impacts.push_back({0, 1, 0, {Vec(x, 0), Vec(0, 1), 0}});
