@@ -118,6 +118,13 @@ lod2d::BoundaryIndex outline_of(const lod2d::Shape& shape, const lod::Body<2>& b
     return lod2d::BoundaryIndex(shape.polygon).carried({body.position, body.orientation});
 }
 
+lod::Vector<2> corner_within(const viz::Actor<2>& actor, const lod2d::BoundaryIndex& other) {
+    for (const viz::Ring& ring : viz::carried(actor.body, actor.visual.outline))
+        for (const viz::Point& p : ring)
+            if (other.inside({p.x, p.y})) return {p.x, p.y};
+    return lod::Vector<2>::Zero();
+}
+
 viz::Point at(const lod::Vector<2>& p) {
     return {p.x(), p.y()};
 }

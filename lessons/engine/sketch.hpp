@@ -76,6 +76,10 @@ template <int Dim>
 /// The shape's boundary where the body stands, for exact questions.
 [[nodiscard]] lod2d::BoundaryIndex outline_of(const lod2d::Shape& shape, const lod::Body<2>& body);
 
+/// The first corner of the body's outline that lies within another's; 0 where there is none.
+[[nodiscard]] lod::Vector<2> corner_within(const viz::Actor<2>& actor,
+                                           const lod2d::BoundaryIndex& other);
+
 [[nodiscard]] viz::Point at(const lod::Vector<2>& p);
 [[nodiscard]] viz::Style style(viz::Role role, int body = 0, int level = -1);
 

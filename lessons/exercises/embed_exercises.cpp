@@ -89,9 +89,9 @@ void embed(const std::vector<std::string>& arguments) {
     file << "#include \"lessons/exercises/embedded.hpp\"\n"
          << "#include \"lessons/exercises/wire.hpp\"\n\nnamespace exercises {\n\n"
          << declared.str() << "\nnamespace {\n\n"
-         << spaces.str() << "const Embedded embedded[] = {\n"
-         << listed.str() << "};\n\n}  // namespace\n\n"
-         << "std::span<const Embedded> all_embedded() { return embedded; }\n\n"
+         << spaces.str() << "}  // namespace\n\n"
+         << "std::span<const Embedded> all_embedded() {\n    static const Embedded embedded[] = {\n"
+         << listed.str() << "    };\n    return embedded;\n}\n\n"
          << "const std::string& wire_text() {\n    static const std::string text = "
          << literal(lessons::read(root + "/lessons/exercises/wire.hpp"))
          << ";\n    return text;\n}\n\n}  // namespace exercises\n";

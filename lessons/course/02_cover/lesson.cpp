@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "lodlab/core/base/random.hpp"
-#include "lodlab/core/math/power_diagram.hpp"
 #include "lodlab/core/math/trigonometry.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
 #include "lodlab/lod2d/shape/overlap.hpp"
@@ -14,19 +13,9 @@ namespace cover {
 
 using lod::Sphere;
 
-// listing: pieces
-std::vector<lod2d::PolygonPiece> pieces_of(const lod2d::PolygonPiece& shape,
-                                           const Circles& circles) {
-    std::vector<lod2d::PolygonPiece> pieces;
-    for (std::size_t i = 0; i < circles.size(); ++i)
-        pieces.push_back(shape.within(lod::power_cell<2>(circles, i)));
-    return pieces;
-}
-// end of listing
-
 // listing: covers
 bool covers(const Circles& circles, const lod2d::PolygonPiece& shape) {
-    const std::vector<lod2d::PolygonPiece> pieces = pieces_of(shape, circles);
+    const std::vector<lod2d::PolygonPiece> pieces = lod::split<2>(shape, circles);
     for (std::size_t i = 0; i < circles.size(); ++i)
         for (const Vec& corner : pieces[i].vertices())
             if ((corner - circles[i].centre).norm() > circles[i].radius) return false;
@@ -83,10 +72,7 @@ Vec touch(Scene& scene) {
     while (!scene.shapes_meet());
     scene.star.body.position = (distance - deep) * way;
     const lod2d::BoundaryIndex crescent = outline_of(scene.crescent_shape, scene.crescent.body);
-    for (const viz::Ring& ring : viz::carried(scene.star.body, scene.star.visual.outline))
-        for (const viz::Point& p : ring)
-            if (crescent.inside({p.x, p.y})) return {p.x, p.y};
-    return Vec::Zero();
+    return corner_within(scene.star, crescent);
 }
 
 /// A point of both bodies, and the circles that hold it.
@@ -151,7 +137,7 @@ void give_drops(Lesson& lesson, Scene scene) {
 void give_pieces(Lesson& lesson, const Scene& scene) {
     const Circles circles = circles_of(scene.star);
     const lod2d::PolygonPiece shape(scene.star_shape.polygon);
-    const std::vector<lod2d::PolygonPiece> pieces = pieces_of(shape, circles);
+    const std::vector<lod2d::PolygonPiece> pieces = lod::split<2>(shape, circles);
     viz::Panel panel;
     panel.view = viz::grown(box_round(circles), 0.02);
     std::size_t tests = 0;

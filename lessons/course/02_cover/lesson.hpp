@@ -12,10 +12,7 @@ using Vec = lod::Vector<2>;
 constexpr double bound = 1e-12;  ///< what rounding can do to a radius here, and more [m]
 constexpr double shrunk = 0.6;   ///< what is left of the radius of a circle that is too small
 
-/// The parts of a shape that the circles answer for, one each.
-[[nodiscard]] std::vector<lod2d::PolygonPiece> pieces_of(const lod2d::PolygonPiece& shape,
-                                                         const Circles& circles);
-/// Whether each circle holds its piece.
+/// Whether each circle holds the piece of the shape that it answers for.
 [[nodiscard]] bool covers(const Circles& circles, const lod2d::PolygonPiece& shape);
 
 /// The corners of a piece, each once.

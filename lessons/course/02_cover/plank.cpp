@@ -97,7 +97,7 @@ void give_spare(Lesson& lesson) {
 viz::Panel refused(const Meeting& holed, const Circles& circles) {
     viz::Panel panel = draw(holed, circles);
     const std::vector<lod2d::PolygonPiece> pieces =
-        pieces_of(lod2d::PolygonPiece(holed.shape_a.polygon), circles);
+        lod::split<2>(lod2d::PolygonPiece(holed.shape_a.polygon), circles);
     for (std::size_t i = 0; i < circles.size(); ++i) {
         add_piece(panel, pieces[i].parts(), static_cast<int>(i));
         for (const Vec& corner : corners_of(pieces[i])) {
@@ -124,7 +124,7 @@ void give_hole(Lesson& lesson) {
     const lod2d::PolygonPiece shape(holed.shape_a.polygon);
     const lod::LevelCertificate bad = lod::certify<2>(*holed.a.body.tree, shape).back();
     std::size_t tests = 0;
-    for (const lod2d::PolygonPiece& piece : pieces_of(shape, sound))
+    for (const lod2d::PolygonPiece& piece : lod::split<2>(shape, sound))
         tests += corners_of(piece).size();
     give(lesson, "proof tests", count(tests));
     give(lesson, "spoiled covers", words(covers(spoiled, shape) ? "certified, too" : "refused"));

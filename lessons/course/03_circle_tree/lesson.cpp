@@ -4,7 +4,6 @@
 #include "lessons/engine/lessons.hpp"
 #include "lessons/engine/meeting.hpp"
 #include "lodlab/core/builder/certify.hpp"
-#include "lodlab/core/math/power_diagram.hpp"
 #include "lodlab/lod2d/builder/piece.hpp"
 #include "lodlab/lod2d/builder/tree_report.hpp"
 #include "lodlab/lod2d/shape/generators.hpp"
@@ -33,10 +32,7 @@ std::vector<lod2d::PolygonPiece> pieces_of_children(const lod2d::PolygonPiece& p
     std::vector<Sphere<2>> children;
     for (int c = 0; c < tree.child_count[Tree::index(node)]; ++c)
         children.push_back(tree.sphere(tree.first_child[Tree::index(node)] + c));
-    std::vector<lod2d::PolygonPiece> pieces;
-    for (std::size_t c = 0; c < children.size(); ++c)
-        pieces.push_back(piece.within(lod::power_cell<2>(children, c)));
-    return pieces;
+    return lod::split<2>(piece, children);
 }
 // end of listing
 

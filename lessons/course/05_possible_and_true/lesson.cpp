@@ -173,11 +173,7 @@ std::vector<int> chain_to(const lod::Body<2>& body, const Vec& point, int node =
 
 /// The first corner of the star that lies in the L.
 Vec shared_point(const Bodies& bodies) {
-    const lod2d::BoundaryIndex letter = outline_of(bodies.letter_shape, bodies.letter.body);
-    for (const viz::Ring& ring : viz::carried(bodies.star.body, bodies.star.visual.outline))
-        for (const viz::Point& p : ring)
-            if (letter.inside({p.x, p.y})) return {p.x, p.y};
-    return Vec::Zero();
+    return corner_within(bodies.star, outline_of(bodies.letter_shape, bodies.letter.body));
 }
 
 void give_chain(Lesson& lesson, const Bodies& bodies) {

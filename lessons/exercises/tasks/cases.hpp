@@ -29,6 +29,25 @@ inline Numbers joined(std::initializer_list<Numbers> rows) {
     return all;
 }
 
+/// A tree as its cases have it: how many circles; of each, which has x, y and r in quarters, these
+/// in metres, how many children, and which: those whose `parent` it is.
+template <class Circles>
+Numbers tree_in_numbers(const Circles& tree) {
+    const auto size = static_cast<int>(tree.size());
+    Numbers numbers{static_cast<double>(size)};
+    for (int i = 0; i < size; ++i) {
+        const auto& circle = tree[static_cast<std::size_t>(i)];
+        for (const std::int64_t one : {circle.x, circle.y, circle.r})
+            numbers.push_back(static_cast<double>(one) / 4);
+        Numbers children;
+        for (int k = 0; k < size; ++k)
+            if (tree[static_cast<std::size_t>(k)].parent == i) children.push_back(k);
+        numbers.push_back(static_cast<double>(children.size()));
+        numbers.insert(numbers.end(), children.begin(), children.end());
+    }
+    return numbers;
+}
+
 /// A way of whole numbers and whole length, scaled, turned and mirrored: 3, 4 and 5; 5, 12 and 13;
 /// ...
 struct WholeWay {

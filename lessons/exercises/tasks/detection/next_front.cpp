@@ -54,21 +54,6 @@ Circles random_tree(lod::Random& random) {
     return tree;
 }
 
-Numbers told_in(const Circles& tree) {
-    Numbers numbers{static_cast<double>(tree.size())};
-    for (int i = 0; i < static_cast<int>(tree.size()); ++i) {
-        const Circle& circle = tree[static_cast<std::size_t>(i)];
-        for (const std::int64_t count : {circle.x, circle.y, circle.r})
-            numbers.push_back(static_cast<double>(count) / 4);
-        Numbers children;
-        for (int k = 0; k < static_cast<int>(tree.size()); ++k)
-            if (tree[static_cast<std::size_t>(k)].parent == i) children.push_back(k);
-        numbers.push_back(static_cast<double>(children.size()));
-        numbers.insert(numbers.end(), children.begin(), children.end());
-    }
-    return numbers;
-}
-
 Numbers told_in(const Front& front) {
     Numbers numbers{static_cast<double>(front.size())};
     for (const auto& [a, b] : front) {
@@ -79,7 +64,7 @@ Numbers told_in(const Front& front) {
 }
 
 Numbers told_in(const Circles& a, const Circles& b, const Front& front) {
-    return joined({told_in(a), told_in(b), told_in(front)});
+    return joined({tree_in_numbers(a), tree_in_numbers(b), told_in(front)});
 }
 
 std::vector<Numbers> edges() {

@@ -14,18 +14,7 @@ using Circles = std::vector<Circle>;
 
 Numbers told_in(std::int64_t x, std::int64_t y, const Circles& tree) {
     const auto metres = [](std::int64_t quarters) { return static_cast<double>(quarters) / 4; };
-    Numbers numbers{metres(x), metres(y), static_cast<double>(tree.size())};
-    for (int i = 0; i < static_cast<int>(tree.size()); ++i) {
-        const Circle& circle = tree[static_cast<std::size_t>(i)];
-        for (const std::int64_t one : {circle.x, circle.y, circle.r})
-            numbers.push_back(metres(one));
-        Numbers children;
-        for (int k = 0; k < static_cast<int>(tree.size()); ++k)
-            if (tree[static_cast<std::size_t>(k)].parent == i) children.push_back(k);
-        numbers.push_back(static_cast<double>(children.size()));
-        numbers.insert(numbers.end(), children.begin(), children.end());
-    }
-    return numbers;
+    return joined({{metres(x), metres(y)}, tree_in_numbers(tree)});
 }
 
 std::vector<Numbers> edges() {
