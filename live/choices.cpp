@@ -33,14 +33,14 @@ constexpr std::array all_choices{
 
 }  // namespace
 
-std::span<const StageChoice> stage_choices() {
-    return all_choices;
+const StageChoice* find_stage_choice(std::string_view name) {
+    const auto found = std::find_if(all_choices.begin(), all_choices.end(),
+                                    [&](const StageChoice& one) { return one.name == name; });
+    return found != all_choices.end() ? &*found : nullptr;
 }
 
 const StageChoice& stage_choice(std::string_view name) {
-    const auto found = std::find_if(all_choices.begin(), all_choices.end(),
-                                    [&](const StageChoice& one) { return one.name == name; });
-    if (found != all_choices.end()) return *found;
+    if (const StageChoice* found = find_stage_choice(name)) return *found;
     std::string names;
     for (const StageChoice& one : all_choices)
         names += (names.empty() ? "" : ", ") + std::string(one.name);

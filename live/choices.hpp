@@ -17,9 +17,9 @@ struct StageChoice {
     void (*choose)(Stage&, std::string_view word);  ///< throws lod::Error (usage) for another
 };
 
-/// All of them.
-[[nodiscard]] std::span<const StageChoice> stage_choices();
-/// The one of that name. Throws lod::Error (usage), naming all, where there is none.
+/// The one of that name; null where there is none.
+[[nodiscard]] const StageChoice* find_stage_choice(std::string_view name);
+/// The same. Throws lod::Error (usage), naming all, where there is none.
 [[nodiscard]] const StageChoice& stage_choice(std::string_view name);
 
 }  // namespace live

@@ -92,26 +92,24 @@ void add_velocities(viz::Panel& panel, const Stage& stage) {
         viz::add_velocity<2>(panel, {stage.bodies()[i], static_cast<int>(i)}, scale);
 }
 
-/// Of many bodies only those that the event is about, which is looked at.
-bool is_named(const Stage& stage, std::size_t body) {
-    if (moving_bodies(stage) <= few_bodies) return true;
-    if (!stage.event()) return false;
+/// Whether the event that is looked at is about the body.
+bool is_concerned(const Stage& stage, std::size_t body) {
     const scenes::Event<2>& event = stage.inside().events[*stage.event()];
     return body == lod::at(event.a) || body == lod::at(event.b);
 }
 
-/// Names beside the outlines, on the side away from the middle of the others.
-void add_body_names(viz::Panel& panel, const Stage& stage) {
-    std::vector<viz::Visual<2>> visuals;
+/// Names beside the outlines, on the side away from the middle of the others. Of many bodies only
+/// those that the event is about.
+void add_body_names(viz::Panel& panel, const Stage& stage, bool few) {
+    const std::vector<std::string> names = stage.names();
+    const auto moving = static_cast<double>(moving_bodies(stage));
     lod::Vector<2> middle = lod::Vector<2>::Zero();
-    for (const viz::Actor<2>& actor : stage.scene().actors) visuals.push_back(actor.visual);
     for (const lod::Body<2>& body : stage.bodies())
-        if (!body.tree->is_half_space())
-            middle += body.position / static_cast<double>(moving_bodies(stage));
-    for (std::size_t i = 0; i < visuals.size(); ++i)
-        if (!stage.bodies()[i].tree->is_half_space() && is_named(stage, i))
-            viz::add_name<2>(panel, stage.actor(i), viz::shown_name(visuals, i),
-                             static_cast<int>(i), viz::point_of(middle));
+        if (!body.tree->is_half_space()) middle += body.position / moving;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (!stage.bodies()[i].tree->is_half_space() && (few || is_concerned(stage, i)))
+            viz::add_name<2>(panel, stage.actor(i), names[i], static_cast<int>(i),
+                             viz::point_of(middle));
 }
 
 void add_fixation(viz::Panel& panel, const Stage& stage) {
@@ -161,7 +159,7 @@ viz::Panel panel_of(const Stage& stage) {
         add_present(panel, stage, few);
     else
         add_inside(panel, stage);
-    add_body_names(panel, stage);
+    if (few || stage.event()) add_body_names(panel, stage, few);
     add_fixation(panel, stage);
     return panel;
 }

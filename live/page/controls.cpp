@@ -11,10 +11,8 @@ namespace live {
 namespace {
 
 void check_choice(const std::string& control, const std::string& word) {
-    const auto choices = stage_choices();
-    const auto choice = std::find_if(choices.begin(), choices.end(),
-                                     [&](const StageChoice& one) { return one.name == control; });
-    if (choice == choices.end())
+    const StageChoice* choice = find_stage_choice(control);
+    if (choice == nullptr)
         throw lod::Error(lod::ErrorKind::usage,
                          "the control " + control + " offers no choice '" + word + "'");
     if (std::find(choice->words.begin(), choice->words.end(), word) == choice->words.end())
