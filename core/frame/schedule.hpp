@@ -4,14 +4,11 @@
 /// The scheduler: refines the candidate pairs of a frame under one budget, a level of a pair at a
 /// time, in the order of a policy.
 
-#include <array>
 #include <cstdint>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "lodlab/core/base/executor.hpp"
-#include "lodlab/core/base/names.hpp"
 #include "lodlab/core/frame/broad_phase.hpp"
 #include "lodlab/core/frame/schedule/attention.hpp"
 #include "lodlab/core/frame/schedule/collision_tree.hpp"
@@ -86,11 +83,6 @@ enum class TurnEnd {
     dropped,   ///< begun, and thrown away: LevelCounts::dropped
     skipped,   ///< not begun, for it would not have fitted
 };
-/// Their words in results.
-[[nodiscard]] constexpr std::array<std::string_view, 3> names_of(TurnEnd) {
-    return {"finished", "dropped", "skipped"};
-}
-static_assert(names_of(TurnEnd{}).size() == static_cast<std::size_t>(TurnEnd::skipped) + 1);
 
 /// The turn of a pair's next level.
 struct Turn {
